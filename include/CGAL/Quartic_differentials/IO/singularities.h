@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_IO_SINGULARITIES_H
+#define CGAL_QUARTIC_DIFFERENTIALS_IO_SINGULARITIES_H
+
+#include <CGAL/Quartic_differentials/divisor.h>
+
+#include <iosfwd>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+/// reads a divisor: lines `x y z order [pinned]`, `#` begins a comment; every point is taken to the nearest point of the
+/// surface.
+/// \pre `surface` is embedded
+/// \throws Infeasible_divisor_error naming the line that cannot be read
+/// Complexity: O(n) to build a search tree, O(log n) a line.
+Divisor read_singularities(std::istream& in, const Intrinsic_triangulation& surface);
+
+/// writes a divisor in the form that `read_singularities` reads, with coordinates that read back to the same doubles.
+/// \param divisor on the faces of `surface`
+void write_singularities(std::ostream& out, const Divisor& divisor, const Intrinsic_triangulation& surface);
+
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_IO_SINGULARITIES_H

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_IO_WRITE_FLAT_INTRINSIC_H
+#define CGAL_QUARTIC_DIFFERENTIALS_IO_WRITE_FLAT_INTRINSIC_H
+
+#include <CGAL/Quartic_differentials/Quartic_differential.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+/// writes the flat triangulation, exactly, as one JSON object:
+/// - `grid_exponent`: k;
+/// - `vertices`: [x, y, z] of the input's vertices in their order, then of the inserted cones; empty if the surface is
+///   not embedded;
+/// - `triangles`: [v, v, v];
+/// - `uv`: [u0, v0, u1, v1, u2, v2] of every triangle, integers in units of 2^-k;
+/// - `opposite`: [[t, e], [t, e], [t, e]] of every triangle: the triangle and edge glued to each of its edges;
+///   edge e joins the corners e and e+1, and self-gluings are legal.
+/// Complexity: linear. Source: DESIGN, section 4.
+void write_flat_intrinsic_json(std::ostream& out, const Quartic_differential& q);
+
+/// writes flat_intrinsic.obj, flat_intrinsic.mtl and a checkerboard, flat_intrinsic.png, into `folder`.
+///
+/// Texture coordinates are the chart coordinates in units; each is a multiple of 2^-grid_exponent, printed so that it
+/// reads back to the identical double. A vertex has one texture coordinate for every sector between edges with a
+/// transition other than the identity. The faces are drawn straight between their corners in space: where the flat
+/// triangulation is not the input's, they do not lie on the input surface.
+/// \pre `q.triangulation` is embedded
+/// \throws Error if a file cannot be written
+/// Complexity: linear. Source: DESIGN, section 4.
+void write_flat_intrinsic_obj(const std::string& folder, const Quartic_differential& q);
+
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_IO_WRITE_FLAT_INTRINSIC_H

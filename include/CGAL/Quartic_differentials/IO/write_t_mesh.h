@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_IO_WRITE_T_MESH_H
+#define CGAL_QUARTIC_DIFFERENTIALS_IO_WRITE_T_MESH_H
+
+#include <CGAL/Quartic_differentials/t_mesh.h>
+
+#include <iosfwd>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+/// writes `tmesh.json` (DESIGN, section 4): nodes, arcs and patches, lengths in integers, places in space as points and
+/// polylines on the straight triangles of the flat triangulation.
+///
+/// Every polyline begins and ends at the very doubles of its nodes' positions. All numbers read back as they were.
+/// If `q.triangulation` is not embedded there are no positions and no polylines.
+/// \pre `defect(t, q)` is empty
+/// Complexity: linear in the output.
+void write_t_mesh_json(std::ostream& out, const T_mesh& t, const Quartic_differential& q);
+
+/// writes `tmesh.vtp`, the XML PolyData of VTK, for ParaView: the straight triangles of the flat triangulation cut
+/// along the arcs as polygons, the arcs as lines.
+///
+/// Cell data: `patch` (-1 on lines), `arc` (-1 on polygons), `colour`. Point data: `uv`, the place in the patch from
+/// (0, 0) to (width, height), in the units of `flat.obj`; points are shared within patches, not between them.
+/// \pre `defect(t, q)` is empty, `q.triangulation` is embedded
+/// Complexity: O(n log n) in the output.
+void write_t_mesh_vtp(std::ostream& out, const T_mesh& t, const Quartic_differential& q);
+
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_IO_WRITE_T_MESH_H

@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_INTRINSIC_TRIANGULATION_H
+#define CGAL_QUARTIC_DIFFERENTIALS_INTRINSIC_TRIANGULATION_H
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+using Point_3  = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh     = CGAL::Surface_mesh<Point_3>;
+using Vertex   = Mesh::Vertex_index;
+using Halfedge = Mesh::Halfedge_index;
+using Edge     = Mesh::Edge_index;
+using Face     = Mesh::Face_index;
+
+/// A point of an intrinsic triangulation: barycentric coordinates with respect to the corners of `face`,
+/// in the order source(h0), source(h1), source(h2) with h0 = halfedge(face), h1 = next(h0), h2 = next(h1).
+struct Surface_point
+{
+  Face                  face;
+  std::array<double, 3> barycentric{};
+};
+
+/// Triangles glued along their edges, the file form of a surface that is known by its edge lengths alone.
+/// Edge e of a triangle joins its corners e and e+1 (modulo 3).
+struct Glued_triangles
+{
+  std::vector<std::array<int, 3>>                 triangles;  ///< vertex ids
+  std::vector<std::array<std::array<int, 2>, 3>>  opposite;   ///< {triangle, edge} glued to each edge
+  std::vector<std::array<double, 3>>              lengths;
+};
+
+/// The halfedges and lengths round an edge e = ij that is about to be flipped to f = kl (DESIGN, step 6):
+/// the faces are (ij, jk, ki) and (ji, il, lj).
+struct Edge_flip
+{
+  Edge     edge;
+  Halfedge ij, jk, ki, ji, il, lj;
+  double   old_length, new_length;
+  bool     ptolemy;   ///< the new length is Ptolemy's (ideal), otherwise the Euclidean diagonal
+};
+
+/// A closed oriented surface glued from Euclidean triangles: a `Surface_mesh` used as a Delta-complex
+/// (edges may be parallel, or loops; a face may be glued to itself), with a length for every edge.
+///
+/// Indices are never removed or renumbered; a flip keeps the index of its edge and of the four halfedges
+/// round it; an insertion appends. Data that ride along are vectors indexed by descriptors.
+/// The point of a vertex of `mesh()` is its position in space if the surface `is_embedded()`.
+class Intrinsic_triangulation
+{
+public:
+  Intrinsic_triangulation() = default;
+
+  /// takes the lengths from the positions in space.
+  /// \pre `mesh` is a closed triangle mesh without removed elements
+  explicit Intrinsic_triangulation(Mesh mesh);
+
+  /// glues triangles along their edges.
+  /// \throws Unusable_surface_error if the gluing is not an orientation reversing involution that respects
+  ///         vertices and lengths, a triangle inequality fails, or the link of a vertex is not one circle
+  explicit Intrinsic_triangulation(const Glued_triangles& glued);
+
+  const Mesh& mesh() const { return m_mesh; }
+  bool is_embedded() const { return m_embedded; }
+
+  std::size_t number_of_vertices()  const { return m_mesh.number_of_vertices(); }
+  std::size_t number_of_edges()     const { return m_mesh.number_of_edges(); }
+  std::size_t number_of_halfedges() const { return m_mesh.number_of_halfedges(); }
+  std::size_t number_of_faces()     const { return m_mesh.number_of_faces(); }
+  int genus() const;
+
+  Mesh::Vertex_range   vertices()  const { return m_mesh.vertices(); }
+  Mesh::Halfedge_range halfedges() const { return m_mesh.halfedges(); }
+  Mesh::Edge_range     edges()     const { return m_mesh.edges(); }
+  Mesh::Face_range     faces()     const { return m_mesh.faces(); }
+
+  Halfedge next(Halfedge h)     const { return m_mesh.next(h); }
+  Halfedge prev(Halfedge h)     const { return m_mesh.prev(h); }
+  Halfedge opposite(Halfedge h) const { return m_mesh.opposite(h); }
+  Vertex   source(Halfedge h)   const { return m_mesh.source(h); }
+  Vertex   target(Halfedge h)   const { return m_mesh.target(h); }
+  Face     face(Halfedge h)     const { return m_mesh.face(h); }
+  Edge     edge(Halfedge h)     const { return m_mesh.edge(h); }
+  /// the first halfedge of an edge, of even index (`Surface_mesh` 5.5 gives back the one the descriptor was made from)
+  Halfedge halfedge(Edge e)     const { return Halfedge(2 * e.idx()); }
+  Halfedge halfedge(Face f)     const { return m_mesh.halfedge(f); }
+
+  /// a halfedge whose source is v
+  Halfedge halfedge_from(Vertex v) const { return m_mesh.opposite(m_mesh.halfedge(v)); }
+  /// the next halfedge from source(h), counterclockwise: it leaves through the face of h
+  Halfedge next_around_source(Halfedge h) const { return m_mesh.opposite(m_mesh.prev(h)); }
+  /// h0, h1, h2 of `Surface_point`
+  std::array<Halfedge, 3> halfedges(Face f) const
+  { const Halfedge h = m_mesh.halfedge(f), n = m_mesh.next(h); return {h, n, m_mesh.next(n)}; }
+  /// 0, 1 or 2: the corner of face(h) at source(h)
+  int corner(Halfedge h) const;
+
+  double length(Edge e)     const { return m_length[e]; }
+  double length(Halfedge h) const { return m_length[m_mesh.edge(h)]; }
+  const std::vector<double>& lengths() const { return m_length; }
+
+  /// the positions of the corners of f, unfolded with source(h0) at 0 and target(h0) on the positive real axis
+  std::array<std::complex<double>, 3> unfolded(Face f) const;
+  /// the total area of the triangles
+  double area() const;
+
+  /// \pre the faces on both sides of e are different
+  Edge_flip flip_of(Edge e, double new_length, bool ptolemy) const;
+  /// replaces the edge ij by kl: afterwards halfedge ij runs from k to l, with (kl, lj, jk) and (lk, ki, il) as faces.
+  void flip(const Edge_flip& flip);
+
+  struct Insertion
+  {
+    Vertex                  vertex;
+    std::array<Halfedge, 3> rim;    ///< the halfedges v0v1, v1v2, v2v0 of the face that was split (rim[0] = its h0)
+    std::array<Halfedge, 3> spoke;  ///< from the new vertex to v0, v1, v2
+  };
+  /// inserts a vertex in the interior of a face; the surface does not change.
+  Insertion insert(const Surface_point& p);
+  /// moves a vertex in space (only meaningful for embedded surfaces)
+  void set_point(Vertex v, const Point_3& p) { m_mesh.point(v) = p; }
+
+private:
+  Mesh                m_mesh;
+  std::vector<double> m_length;
+  bool                m_embedded = false;
+};
+
+/// four times the area of the triangle with sides a, b, c (Kahan's formula: accurate for needles);
+/// 0 where the triangle inequality fails. Complexity: constant.
+double four_times_area(double a, double b, double c);
+
+/// the angle at source(h) in face(h), for every halfedge and the given edge lengths. [radians]
+/// Accurate for needles too (half-angle formula). Complexity: linear.
+/// \pre the lengths satisfy the triangle inequality in every face
+std::vector<double> corner_angles(const Intrinsic_triangulation& t, const std::vector<double>& lengths);
+
+/// K_v = 2*pi minus the angles round v. [radians]
+std::vector<double> curvatures(const Intrinsic_triangulation& t, const std::vector<double>& angles);
+
+/// checks every structural invariant of a Delta-complex that `is_valid_polygon_mesh` cannot (it refuses parallel
+/// edges and loops) and returns the first violation as a sentence, or the empty string.
+std::string structural_defect(const Intrinsic_triangulation& t);
+
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_INTRINSIC_TRIANGULATION_H

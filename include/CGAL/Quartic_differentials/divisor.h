@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_DIVISOR_H
+#define CGAL_QUARTIC_DIFFERENTIALS_DIVISOR_H
+
+#include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+/// A zero (order > 0) or pole (order < 0) of a quartic differential: a vertex of valence order + 4 of a quad mesh,
+/// a cone of angle (order + 4) * pi/2 of the flat metric. order >= -3.
+struct Singularity
+{
+  Surface_point location;
+  int           order  = 0;
+  bool          pinned = false;   ///< may not be moved
+};
+
+/// A divisor: sum of orders times points. Its degree must be 8g - 8 (Gauss-Bonnet).
+using Divisor = std::vector<Singularity>;
+
+int degree(const Divisor& d);
+
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_DIVISOR_H

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_IMMERSION_H
+#define CGAL_QUARTIC_DIFFERENTIALS_IMMERSION_H
+
+#include <CGAL/Quartic_differentials/Quartic_differential.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+struct Immersion_options
+{
+  /// grid units are 2^-grid_exponent times the largest coordinate, 20 <= grid_exponent <= 50;
+  /// 0 takes the first of 44, 46, 48, 50 that keeps the orientation of every triangle
+  int grid_exponent = 0;
+};
+
+/// What is known of the quality of an immersion.
+struct Immersion_report
+{
+  int         grid_exponent     = 0;
+  std::size_t cut_edges         = 0;
+  std::size_t segments          = 0;   ///< of the cut graph
+  std::size_t flipped_triangles = 0;   ///< flipped or degenerate after rounding to the grid
+  double      rotation_error    = 0;   ///< [radians] farthest that the rotation across a cut edge is from k*90 degrees
+  double      layout_gap        = 0;   ///< farthest that the layout's copies of a corner are apart; fraction of the size
+  Grid_vector closure_residual;        ///< sum of (1 - i^k) d over the segments before it was spread over them
+  double      largest_move      = 0;   ///< farthest that a corner moved from the layout; fraction of the size
+  double      min_altitude      = 0;   ///< smallest altitude of a flat triangle, in grid units; not positive if flipped
+};
+
+/// lays the flat metric out in the plane and moves it, by no more than the layout's own rounding, to a dyadic grid on
+/// which everything is exact: charts change across every edge by a rotation by k*90 degrees and a translation, and
+/// round every vertex the changes compose to the rotation of its cone about that vertex.
+///
+/// The exactness of the transitions is guaranteed for every input that is accepted. Not guaranteed: that the smallest
+/// triangles keep their orientation when they are moved to the grid; `report.flipped_triangles` counts those that did
+/// not, and `require_no_flipped_triangles()` refuses them.
+///
+/// \param flat_lengths by edge of t: a flat metric with cones at the singularities and holonomy in multiples of 90 degrees
+/// \param singularities the vertices of the divisor
+/// \param order by vertex; the cone angle is (order + 4)*90 degrees
+/// \param surface_area of the input, to which `surface_units_per_unit` refers
+/// \param report is filled even if the function throws
+/// \pre t is connected, and the orders are at least -3, vanish outside the singularities and sum to 8g - 8
+/// \throws Numerical_error if a rotation across the cut is not a multiple of 90 degrees to 1e-6 radians, or the exact
+///         cone at a vertex is not the one of its order
+/// Complexity: O(n log n). Source: DESIGN, step 7; paper, section 4.7.
+Quartic_differential immersion(const Intrinsic_triangulation& t, const std::vector<double>& flat_lengths,
+                               const std::vector<Vertex>& singularities, const std::vector<int>& order,
+                               double surface_area, const Immersion_options& options, Immersion_report& report);
+
+/// \throws Numerical_error if a triangle is flipped or degenerate: the sentence says how many, and what helps
+void require_no_flipped_triangles(const Immersion_report& report);
+
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_IMMERSION_H

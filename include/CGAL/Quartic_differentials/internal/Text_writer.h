@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_TEXT_WRITER_H
+#define CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_TEXT_WRITER_H
+
+#include <CGAL/Quartic_differentials/exceptions.h>
+
+#include <charconv>
+#include <fstream>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace CGAL {
+namespace Quartic_differentials {
+namespace internal {
+
+/// Writes text and numbers to a stream through a buffer of its own, independently of the locale; a double is written
+/// with the fewest digits that read back to the identical double.
+/// `finish()` must be called at the end.
+class Text_writer
+{
+public:
+  explicit Text_writer(std::ostream& out) : m_out(out) { m_buffer.reserve(2 * flush_at); }
+
+  Text_writer& operator<<(char c) { m_buffer.push_back(c); return *this; }
+  Text_writer& operator<<(std::string_view s)
+  {
+    m_buffer.append(s);
+    if (m_buffer.size() > flush_at) finish();
+    return *this;
+  }
+  template <class Number, class = std::enable_if_t<std::is_arithmetic<Number>::value>>
+  Text_writer& operator<<(Number x)
+  {
+    char digits[32];
+    const char* end = std::to_chars(digits, digits + sizeof digits, x).ptr;
+    return *this << std::string_view(digits, static_cast<std::size_t>(end - digits));
+  }
+
+  void finish()
+  {
+    m_out.write(m_buffer.data(), static_cast<std::streamsize>(m_buffer.size()));
+    m_buffer.clear();
+  }
+
+private:
+  static constexpr std::size_t flush_at = 1 << 16;
+  std::ostream& m_out;
+  std::string   m_buffer;
+};
+
+/// opens a file, calls `write(out)` and closes it.
+/// \throws Error if the file cannot be written to its end
+template <class Write>
+void write_file(const std::string& path, Write write)
+{
+  std::ofstream out(path, std::ios::binary);
+  if (!out) throw Error("cannot open " + path + " for writing");
+  write(out);
+  out.close();
+  if (!out) throw Error("cannot write " + path + " to its end");
+}
+
+} } } // namespace CGAL::Quartic_differentials::internal
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_TEXT_WRITER_H

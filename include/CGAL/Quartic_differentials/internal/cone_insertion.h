@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_CONE_INSERTION_H
+#define CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_CONE_INSERTION_H
+
+#include <CGAL/Quartic_differentials/Integer_cochains.h>
+#include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+#include <CGAL/Quartic_differentials/divisor.h>
+
+#include <Eigen/Core>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+namespace internal {
+
+/// A direction at an inserted cone: the halfedge `reference` leaves it at `angle` in the unfolded frame of the face it
+/// was inserted in. Follows its halfedge through Euclidean flips.
+struct Cone_frame
+{
+  Vertex   cone;
+  Halfedge reference;
+  double   angle;
+};
+
+class Cone_frames
+{
+public:
+  void add(const Cone_frame& f) { m_frames.push_back(f); }
+  const std::vector<Cone_frame>& frames() const { return m_frames; }
+  /// turns the reference counterclockwise past an edge that is about to be flipped away
+  void before_flip(const Intrinsic_triangulation& t, const Edge_flip& flip);
+private:
+  std::vector<Cone_frame> m_frames;
+};
+
+/// The triangulation with the cones of a divisor as vertices, intrinsic Delaunay again.
+struct Inserted_cones
+{
+  Intrinsic_triangulation triangulation;
+  Integer_cochains        cochains;
+  std::vector<Vertex>     cones;    ///< by singularity
+  std::vector<char>       frozen;   ///< by singularity: pinned, or at a vertex that was there before
+  Cone_frames             frames;   ///< of the cones that are not frozen, in their order
+};
+
+/// \throws Infeasible_divisor_error if two singularities take the same vertex
+Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor);
+
+/// the vertex within 1e-4 of the length of an adjacent edge of the face, or null
+Vertex vertex_at(const Intrinsic_triangulation& t, const Surface_point& p);
+
+/// lambda: the derivatives of the logarithms of the edge lengths by the positions of the cones, sparse rows by edge.
+/// Rides along Ptolemy flips. (DESIGN, step 6)
+class Length_derivatives
+{
+public:
+  using Row = std::vector<std::pair<int, Eigen::Vector2d>>;   ///< (singularity, derivative by x and y), sorted
+
+  Length_derivatives() = default;
+  /// moving a cone p by delta changes the length of its spokes only: lambda_e = -<e, delta> / l_e, e the unit direction
+  explicit Length_derivatives(const Inserted_cones& inserted);
+
+  const Row& operator[](Edge e) const { return m_row[e]; }
+  void before_flip(const Intrinsic_triangulation& t, const Edge_flip& flip);
+private:
+  std::vector<Row> m_row;
+};
+
+} } } // namespace CGAL::Quartic_differentials::internal
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_CONE_INSERTION_H

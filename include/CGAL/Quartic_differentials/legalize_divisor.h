@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_LEGALIZE_DIVISOR_H
+#define CGAL_QUARTIC_DIFFERENTIALS_LEGALIZE_DIVISOR_H
+
+#include <CGAL/Quartic_differentials/Visitor.h>
+#include <CGAL/Quartic_differentials/abel_jacobi_map.h>
+#include <CGAL/Quartic_differentials/divisor.h>
+#include <CGAL/Quartic_differentials/period_matrix.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+/// The norm in which the integer program looks for the nearest lattice vector.
+enum class Lattice_norm
+{
+  movement,   ///< least total movement of the singularities, (J J^T)^-1
+  paper       ///< the paper's Euclidean norm of C^g
+};
+
+struct Legalization_options
+{
+  Lattice_norm norm          = Lattice_norm::movement;
+  double       tolerance     = 1e-12;   ///< |F - (pi/2) m|, radians
+  int          iterations    = 100;     ///< Gauss-Newton steps for one lattice vector
+  double       longest_step  = 0.05;    ///< of any singularity in one step, times sqrt(area)
+  double       least_distance = 0.01;   ///< between singularities, times sqrt(area)
+  int          lattice_vectors = 16;    ///< tried, nearest first, within twice the best distance
+};
+
+/// A divisor that satisfies the Abel-Jacobi condition, and how it was reached.
+struct Legal_divisor
+{
+  Divisor             divisor;          ///< same orders, moved
+  std::vector<double> moved_by;         ///< length of the way of each singularity, surface units
+  Eigen::VectorXd     nearest;          ///< the integers m
+  Eigen::VectorXd     residual;         ///< F - (pi/2) m
+  std::vector<double> history;          ///< |F - (pi/2) m| before the first and after every Gauss-Newton step
+  bool                certified = true; ///< m is a certified closest lattice vector (of those that could be reached)
+  int                 tried = 0;        ///< number of lattice vectors tried
+};
+
+/// moves the singularities by as little as possible until the divisor satisfies the Abel-Jacobi condition.
+///
+/// The integers m come from a closest vector problem, the positions from Gauss-Newton steps of minimal norm, with the
+/// singularities walking across faces. If a lattice vector cannot be reached, or only by driving singularities
+/// together, the next nearest is tried.
+/// \throws Infeasible_divisor_error with the mathematical reason: wrong degree, order below -3, genus 1 with one zero and
+///         one pole of order one, rank of the Jacobian below 2g, singularities that run into each other
+/// \throws Numerical_error if no lattice vector can be reached within the iterations
+/// Source: DESIGN, step 5; paper, section 4.5.
+Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& periods, const Divisor& divisor,
+                               const Legalization_options& options, Visitor& visitor);
+
+/// throws Infeasible_divisor_error if no position whatever makes these orders legal on a surface of this genus.
+void check_orders(const Divisor& divisor, int genus);
+
+/// The two singularities that are nearest to each other along a straight line on the surface.
+struct Nearest_singularities
+{
+  std::size_t first = 0, second = 0;
+  double      distance;   ///< infinite if none are within the radius searched
+};
+Nearest_singularities nearest_singularities(const Intrinsic_triangulation& t, const std::vector<Surface_point>& points,
+                                            double radius);
+
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_LEGALIZE_DIVISOR_H

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_SAMPLE_SURFACES_H
+#define CGAL_QUARTIC_DIFFERENTIALS_SAMPLE_SURFACES_H
+
+#include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+// Closed surfaces of every genus for examples, tests and benchmarks. All are deterministic, oriented outward and
+// free of removed elements.
+
+/// a sphere with three soft bumps: genus 0, with 20 * 4^subdivisions faces.
+/// \pre `subdivisions >= 0`. Complexity: linear in the size of the result.
+Mesh bumpy_sphere(int subdivisions);
+
+/// the torus of revolution of a circle of radius `r` at distance `R` from the axis: genus 1, n * m vertices,
+/// n round the axis and m round the circle. Its period is i r / sqrt(R^2 - r^2), up to SL(2, Z).
+/// \pre `0 < r < R`, `n >= 3`, `m >= 3`. Complexity: linear in the size of the result.
+Mesh torus(double R, double r, int n, int m);
+
+/// a bent plate with `g` holes in a row: genus `g`.
+///
+/// The surface is smooth and does not depend on `resolution`, the number of triangle edges across the strip between
+/// two holes. Every angle is greater than 20 degrees (measured for genus 0 to 8, not proved).
+/// \pre `g >= 0`, `resolution >= 6`. Complexity: O(g^2 resolution^3).
+Mesh handle_chain(int g, int resolution);
+
+/// a bent disk with `g` holes on a circle: genus `g`; otherwise as `handle_chain()`.
+/// \pre `g >= 0`, `resolution >= 6`. Complexity: O(g^3 resolution^3).
+Mesh handle_ring(int g, int resolution);
+
+/// the curve y^2 = x^(2g+2) - 1, exactly: four regular (2g+2)-gons with sides of length 1, front and back of two
+/// sheets, where front side k of sheet s is glued to back side k of sheet s if k is even, and of sheet 1-s if k is
+/// odd; every polygon is a fan round its centre, `subdivided()` as often as asked.
+/// Without subdivision it is a Delta-complex with parallel edges.
+/// \pre `g >= 1`, `subdivisions >= 0`. Complexity: linear in the size of the result. Source: DESIGN, "Ground truth".
+Glued_triangles hyperelliptic(int g, int subdivisions);
+
+/// splits every triangle into four at the midpoints of its edges. The surface does not change. Old vertices keep
+/// their index; triangle t becomes 4t, ..., 4t+3, the one at its corner c being 4t+c.
+/// \pre `s` is glued consistently. Complexity: linear.
+Glued_triangles subdivided(const Glued_triangles& s);
+
+/// splits every triangle into four at the midpoints of its edges. The surface does not change. Old vertices keep
+/// their index, and the midpoint of edge e follows as number_of_vertices + e.
+/// \pre `mesh` is a triangle mesh without removed elements. Complexity: linear.
+Mesh subdivided(const Mesh& mesh);
+
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_SAMPLE_SURFACES_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/abel_jacobi_map.h>
+#include <CGAL/Quartic_differentials/internal/surface_walk.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+const double pi = 3.14159265358979323846;
+
+} // namespace
+
+Eigen::VectorXd turning_numbers(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
+                                const std::vector<double>& angles)
+{
+  // alpha(h): direction of h in a frame of its face whose axis is h0 (DESIGN, step 4)
+  const auto alpha = [&](Halfedge h) {
+    const auto [h0, h1, h2] = t.halfedges(t.face(h));
+    if (h == h0) return 0.0;
+    return h == h1 ? pi - angles[h1] : 2 * pi - angles[h1] - angles[h2];
+  };
+  Eigen::VectorXd turning = Eigen::VectorXd::Zero(cochains.size());
+  for (Edge e : t.edges()) {
+    const Halfedge h = t.halfedge(e);
+    const Eigen::RowVectorXi crossings = cochains.row(h);
+    if (crossings.isZero()) continue;
+    turning += (alpha(h) - alpha(t.opposite(h)) - pi) * crossings.transpose().cast<double>();
+  }
+  return turning;
+}
+
+Abel_jacobi_map::Abel_jacobi_map(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
+                                 const Harmonic_1_forms& forms)
+  : m_t(t), m_forms(forms)
+{
+  const std::vector<double> angles = corner_angles(t, t.lengths()), k = curvatures(t, angles);
+  m_constant = turning_numbers(t, cochains, angles)
+             - forms.potential.transpose() * Eigen::Map<const Eigen::VectorXd>(k.data(), k.size());
+}
+
+Lifted_point Abel_jacobi_map::lift(const Surface_point& p) const
+{
+  const double inward = 1e-9;
+  Lifted_point q{p, Eigen::RowVectorXd::Zero(dimension())};
+  if (*std::min_element(p.barycentric.begin(), p.barycentric.end()) < inward) {
+    double sum = 0;
+    for (double& b : q.location.barycentric) sum += (b = std::max(b, inward));
+    for (double& b : q.location.barycentric) b /= sum;
+  }
+  return q;
+}
+
+Eigen::RowVectorXd Abel_jacobi_map::potential_in_face(const Surface_point& p) const
+{
+  const auto [h0, h1, h2] = m_t.halfedges(p.face);
+  return m_forms.potential.row(m_t.source(h0)) + p.barycentric[1] * m_forms.row(h0) - p.barycentric[2] * m_forms.row(h2);
+}
+
+Eigen::RowVectorXd Abel_jacobi_map::potential(const Lifted_point& p) const
+{
+  return potential_in_face(p.location) + p.sheet;
+}
+
+Lifted_point Abel_jacobi_map::moved(const Lifted_point& p, std::complex<double> displacement) const
+{
+  Lifted_point q = p;
+  q.location = internal::walk(m_t, p.location, displacement, [&](const Surface_point& before, const Surface_point& after) {
+    q.sheet += (potential_in_face(before) - potential_in_face(after)).array().round().matrix();
+  });
+  return q;
+}
+
+Eigen::VectorXd Abel_jacobi_map::residual(const Lifted_divisor& points, const std::vector<int>& orders) const
+{
+  Eigen::VectorXd f = m_constant;
+  for (std::size_t i = 0; i < points.size(); ++i) f -= 0.5 * pi * orders[i] * potential(points[i]).transpose();
+  return f;
+}
+
+Eigen::MatrixXd Abel_jacobi_map::jacobian(const Lifted_divisor& points, const std::vector<int>& orders) const
+{
+  Eigen::MatrixXd j(dimension(), 2 * points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::VectorXcd g = gradients(m_t, m_forms, points[i].location.face).transpose();
+    j.col(2 * i) = -0.5 * pi * orders[i] * g.real();
+    j.col(2 * i + 1) = -0.5 * pi * orders[i] * g.imag();
+  }
+  return j;
+}
+
+namespace {
+
+// 4 Sum_j order_j ^g(z_j), on sheet 0
+Eigen::VectorXd four_times_potential_of_zeros(const Abel_jacobi_map& map, const std::vector<Holomorphic_zero>& zeros)
+{
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(map.dimension());
+  for (const Holomorphic_zero& z : zeros) sum += 4 * z.order * map.potential(map.lift(z.location)).transpose();
+  return sum;
+}
+
+} // namespace
+
+Eigen::VectorXd residual_by_zeros(const Abel_jacobi_map& map, const std::vector<Holomorphic_zero>& zeros,
+                                  const Lifted_divisor& points, const std::vector<int>& orders)
+{
+  return map.residual(points, orders) - map.constant() + 0.5 * pi * four_times_potential_of_zeros(map, zeros);
+}
+
+Abel_jacobi_image abel_jacobi_image(const Abel_jacobi_map& map, const Period_matrix& periods,
+                                    const std::vector<Holomorphic_zero>& zeros, const Eigen::VectorXd& residual,
+                                    const Eigen::VectorXd& nearest)
+{
+  const int g = map.dimension() / 2;
+  const Eigen::VectorXd turns = (map.constant() - 0.5 * pi * four_times_potential_of_zeros(map, zeros)) / (2 * pi);
+  const Eigen::VectorXd m = -(nearest - 4 * turns.array().round().matrix());
+  const Eigen::VectorXd rho = -(residual - 0.5 * pi * nearest) / (0.5 * pi);
+  Abel_jacobi_image image;
+  for (int k = 0; k < g; ++k) {
+    image.s.push_back(-std::lround(m[g + k]));
+    image.t.push_back(std::lround(m[k]));
+  }
+  image.image = -rho.tail(g).cast<std::complex<double>>() + periods.pi * rho.head(g).cast<std::complex<double>>();
+  return image;
+}
+
+} } // namespace CGAL::Quartic_differentials

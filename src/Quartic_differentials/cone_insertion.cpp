@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/delaunay_flips.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/cone_insertion.h>
+#include <CGAL/Quartic_differentials/internal/surface_walk.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace CGAL {
+namespace Quartic_differentials {
+namespace internal {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+// the angle at source(h) in face(h)
+double angle_at_source(const Intrinsic_triangulation& t, Halfedge h)
+{
+  const double out = t.length(h), in = t.length(t.prev(h)), across = t.length(t.next(h));
+  return std::atan2(four_times_area(out, in, across) / 2, (out * out + in * in - across * across) / 2);
+}
+
+// A piece of a face that was split by insertions, with the places of its corners in the frame of the whole face.
+struct Piece
+{
+  Face                   face;
+  std::array<Complex, 3> corner;
+};
+
+// The piece that holds z, with the barycentric coordinates of z in it.
+std::pair<std::size_t, std::array<double, 3>> piece_at(const std::vector<Piece>& pieces, Complex z)
+{
+  std::size_t best = 0;
+  std::array<double, 3> best_b{};
+  double best_least = -1e300;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const std::array<double, 3> b = barycentric(pieces[k].corner, z);
+    const double least = *std::min_element(b.begin(), b.end());
+    if (least > best_least) { best_least = least; best = k; best_b = b; }
+  }
+  return {best, best_b};
+}
+
+} // namespace
+
+void Cone_frames::before_flip(const Intrinsic_triangulation& t, const Edge_flip& flip)
+{
+  for (Cone_frame& f : m_frames)
+    if (f.reference == flip.ij || f.reference == flip.ji) {
+      f.angle += angle_at_source(t, f.reference);
+      f.reference = t.next_around_source(f.reference);
+    }
+}
+
+Vertex vertex_at(const Intrinsic_triangulation& t, const Surface_point& p)
+{
+  const auto corner = t.unfolded(p.face);
+  const auto h = t.halfedges(p.face);
+  const Complex z = point_in_frame(corner, p.barycentric);
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(z - corner[k]) < 1e-4 * std::min(t.length(h[k]), t.length(h[(k + 2) % 3]))) return t.source(h[k]);
+  return Mesh::null_vertex();
+}
+
+Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor)
+{
+  Inserted_cones result{t, cochains, {}, {}, {}};
+  std::map<Face, std::vector<Piece>> split;   // faces of t that hold cones
+  std::map<Vertex, std::size_t> taken;
+  for (std::size_t i = 0; i < divisor.size(); ++i) {
+    const Surface_point& p = divisor[i].location;
+    if (const Vertex v = vertex_at(t, p); v != Mesh::null_vertex()) {
+      const auto [other, is_new] = taken.emplace(v, i);
+      if (!is_new) throw Infeasible_divisor_error("singularities " + std::to_string(other->second + 1) + " and "
+                                                  + std::to_string(i + 1) + " are at the same vertex");
+      result.cones.push_back(v);
+      result.frozen.push_back(true);
+      continue;
+    }
+    const auto frame = t.unfolded(p.face);
+    std::vector<Piece>& pieces = split.try_emplace(p.face, 1, Piece{p.face, frame}).first->second;
+    const Complex z = point_in_frame(frame, p.barycentric);
+    const auto [k, b] = piece_at(pieces, z);
+    const Piece whole = pieces[k];
+    const auto insertion = result.triangulation.insert({whole.face, b});
+    result.cochains.after_insertion(result.triangulation, insertion);
+    pieces.erase(pieces.begin() + k);
+    for (int c = 0; c < 3; ++c) {
+      // the face of the rim halfedge v_c v_(c+1); its corners are numbered from its own first halfedge
+      Piece piece{result.triangulation.face(insertion.rim[c]), {}};
+      const int first = result.triangulation.corner(insertion.rim[c]);
+      piece.corner[first] = whole.corner[c];
+      piece.corner[(first + 1) % 3] = whole.corner[(c + 1) % 3];
+      piece.corner[(first + 2) % 3] = z;
+      pieces.push_back(piece);
+    }
+    result.cones.push_back(insertion.vertex);
+    result.frozen.push_back(divisor[i].pinned);
+    if (!divisor[i].pinned)
+      result.frames.add({insertion.vertex, insertion.spoke[0], std::arg(whole.corner[0] - z)});
+  }
+  make_delaunay(result.triangulation, result.cochains, result.frames);
+  return result;
+}
+
+Length_derivatives::Length_derivatives(const Inserted_cones& inserted) : m_row(inserted.triangulation.number_of_edges())
+{
+  const Intrinsic_triangulation& t = inserted.triangulation;
+  auto frame = inserted.frames.frames().begin();
+  for (std::size_t i = 0; i < inserted.cones.size(); ++i) {
+    if (inserted.frozen[i]) continue;
+    double angle = frame->angle;
+    Halfedge h = frame->reference;
+    do {
+      const Eigen::Vector2d derivative = -Eigen::Vector2d(std::cos(angle), std::sin(angle)) / t.length(h);
+      Row& row = m_row[t.edge(h)];
+      if (!row.empty() && row.back().first == static_cast<int>(i)) row.back().second += derivative;   // a loop at the cone
+      else row.emplace_back(static_cast<int>(i), derivative);
+      angle += angle_at_source(t, h);
+      h = t.next_around_source(h);
+    } while (h != frame->reference);
+    ++frame;
+  }
+}
+
+void Length_derivatives::before_flip(const Intrinsic_triangulation& t, const Edge_flip& f)
+{
+  const double a = t.length(f.jk) * t.length(f.il), b = t.length(f.ki) * t.length(f.lj);
+  const std::pair<Halfedge, double> terms[] = {{f.ij, -1}, {f.jk, a / (a + b)}, {f.il, a / (a + b)},
+                                               {f.ki, b / (a + b)}, {f.lj, b / (a + b)}};
+  Row sum;
+  for (const auto& [h, factor] : terms)
+    for (const auto& [i, derivative] : m_row[t.edge(h)]) {
+      const auto at = std::lower_bound(sum.begin(), sum.end(), i, [](const auto& entry, int k) { return entry.first < k; });
+      if (at != sum.end() && at->first == i) at->second += factor * derivative;
+      else sum.emplace(at, i, factor * derivative);
+    }
+  m_row[f.edge] = std::move(sum);
+}
+
+} } } // namespace CGAL::Quartic_differentials::internal

@@ -1,0 +1,330 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/abel_jacobi_map.h>
+#include <CGAL/Quartic_differentials/cone_metric.h>
+#include <CGAL/Quartic_differentials/delaunay_flips.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/holomorphic_forms.h>
+#include <CGAL/Quartic_differentials/internal/Timed_step.h>
+#include <CGAL/Quartic_differentials/internal/cone_insertion.h>
+#include <CGAL/Quartic_differentials/internal/surface_walk.h>
+#include <CGAL/Quartic_differentials/laplacian.h>
+#include <CGAL/Quartic_differentials/legalize_divisor.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <sstream>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+using internal::Inserted_cones;
+using internal::Length_derivatives;
+
+const double pi = 3.14159265358979323846;
+
+std::string scientific(double x)
+{
+  std::ostringstream out;
+  out.precision(2);
+  out << std::scientific << x;
+  return out.str();
+}
+
+double largest(const Eigen::VectorXd& x) { return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff(); }
+
+// The flat metric that is being computed, and the data that ride along its flips.
+struct Flow
+{
+  Cone_metric        metric;
+  Length_derivatives lambda;
+  std::vector<char>  frozen;
+};
+
+// Makes the triangulation Delaunay for the scales u and evaluates lengths, angles and curvature there.
+std::vector<double> evaluate(Flow& flow, const std::vector<double>& u)
+{
+  Cone_metric& m = flow.metric;
+  m.flow.flips += make_ideal_delaunay(m.triangulation, u, m.cochains, flow.lambda);
+  for (Edge e : m.triangulation.edges()) {
+    const Halfedge h = m.triangulation.halfedge(e);
+    m.lengths[e] = m.triangulation.length(e) * std::exp(0.5 * (u[m.triangulation.source(h)] + u[m.triangulation.target(h)]));
+  }
+  m.angles = corner_angles(m.triangulation, m.lengths);
+  return curvatures(m.triangulation, m.angles);
+}
+
+// K - target
+Eigen::VectorXd curvature_error(const Cone_metric& m, const std::vector<double>& k)
+{
+  Eigen::VectorXd r(k.size());
+  for (std::size_t v = 0; v < k.size(); ++v) r[v] = k[v] + m.order[v] * pi / 2;
+  return r;
+}
+
+std::vector<double> moved_scales(const std::vector<double>& u, double step, const Eigen::VectorXd& direction)
+{
+  std::vector<double> result(u);
+  for (std::size_t v = 0; v < u.size(); ++v) result[v] += step * direction[v];
+  return result;
+}
+
+// Newton's method: L d = -(K - target). A step is accepted if it shrinks the error, or if the (convex) energy still
+// falls along it. Once the tolerance is reached, full steps go on as long as they halve the error, down to a hundredth
+// of it: what is left at the vertices adds up along loops.
+void newton(Flow& flow, Laplacian_solver& laplacian, const Cone_metric_options& options, Visitor& visitor)
+{
+  Cone_metric& m = flow.metric;
+  Eigen::VectorXd error = curvature_error(m, evaluate(flow, m.u));
+  m.flow.history.assign(1, largest(error));
+  while (m.flow.history.back() > 0.01 * m.flow.tolerance && m.flow.newton_iterations < options.newton_iterations) {
+    if (!visitor.go_further()) throw Cancelled_error("stopped during the discrete Ricci flow");
+    laplacian.factorize(m.triangulation, cotangent_weights(m.triangulation, m.lengths));
+    // the errors add up to zero (Gauss-Bonnet) but for rounding, which is spread evenly
+    Eigen::VectorXd direction = -laplacian.solve((error.array() - error.mean()).matrix()).col(0);
+    direction.array() -= direction.mean();
+    const bool polishing = m.flow.history.back() <= m.flow.tolerance;
+    const double slope = error.dot(direction), longest = largest(direction), shortest_step = polishing ? 0.75 : 1e-8;
+    bool accepted = false;
+    for (double step = longest > 10 ? 10 / longest : 1; step > shortest_step && !accepted; step /= 2) {
+      const std::vector<double> u = moved_scales(m.u, step, direction);
+      const Eigen::VectorXd tried = curvature_error(m, evaluate(flow, u));
+      const double slope_there = tried.dot(direction);
+      accepted = polishing ? largest(tried) < 0.5 * m.flow.history.back()
+                           : tried.norm() < error.norm() * (1 - 1e-4 * step)
+                             || (slope_there <= 0 && slope_there > 0.999 * slope);
+      if (accepted) {
+        error = tried;
+        m.u = u;
+      }
+    }
+    if (!accepted) {   // stagnation: rounding is reached
+      error = curvature_error(m, evaluate(flow, m.u));
+      break;
+    }
+    ++m.flow.newton_iterations;
+    m.flow.history.push_back(largest(error));
+    visitor.progress("flow, step " + std::to_string(m.flow.newton_iterations) + ": curvature error "
+                     + scientific(m.flow.history.back()) + ", " + std::to_string(m.flow.flips) + " flips");
+  }
+  m.flow.max_curvature_error = largest(error);
+}
+
+Flow flow_of(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor,
+             const Cone_metric* warm_start, Laplacian_solver& laplacian, const Cone_metric_options& options,
+             Visitor& visitor)
+{
+  Inserted_cones inserted = internal::insert_cones(t, cochains, divisor);
+  Flow flow;
+  flow.lambda = Length_derivatives(inserted);
+  flow.frozen = inserted.frozen;
+  Cone_metric& m = flow.metric;
+  m.triangulation = std::move(inserted.triangulation);
+  m.cochains = std::move(inserted.cochains);
+  m.cones = inserted.cones;
+  const std::size_t n = m.triangulation.number_of_vertices();
+  m.order.assign(n, 0);
+  m.u.assign(n, 0);
+  if (warm_start != nullptr)
+    std::copy_n(warm_start->u.begin(), t.number_of_vertices(), m.u.begin());
+  for (std::size_t i = 0; i < divisor.size(); ++i) {
+    m.order[m.cones[i]] = divisor[i].order;
+    if (warm_start != nullptr) m.u[m.cones[i]] = warm_start->u[warm_start->cones[i]];
+  }
+  m.lengths.resize(m.triangulation.number_of_edges());
+  m.flow.tolerance = options.curvature_tolerance > 0 ? options.curvature_tolerance : 1e-11 + 1e-15 * static_cast<double>(n);
+  newton(flow, laplacian, options, visitor);
+  return flow;
+}
+
+// dT_k = Sum_f omega_k(h0) dtheta_1 - omega_k(h2) dtheta_2 with omega harmonic in the flat metric, and
+// dtheta_i = (cot theta_j + cot theta_k) lambda_jk - cot theta_j lambda_ij - cot theta_k lambda_ik (DESIGN, step 6).
+Eigen::MatrixXd jacobian(const Flow& flow, Laplacian_solver& laplacian)
+{
+  const Cone_metric& m = flow.metric;
+  const Intrinsic_triangulation& t = m.triangulation;
+  const std::vector<double> weights = cotangent_weights(t, m.lengths);
+  laplacian.factorize(t, weights);
+  const Harmonic_1_forms omega = harmonic_1_forms(t, m.cochains, weights, laplacian);
+  Eigen::MatrixXd j = Eigen::MatrixXd::Zero(m.cochains.size(), 2 * m.cones.size());
+  for (Face f : t.faces()) {
+    const auto h = t.halfedges(f);
+    if (flow.lambda[t.edge(h[0])].empty() && flow.lambda[t.edge(h[1])].empty() && flow.lambda[t.edge(h[2])].empty())
+      continue;
+    const double c[3] = {1 / std::tan(m.angles[h[0]]), 1 / std::tan(m.angles[h[1]]), 1 / std::tan(m.angles[h[2]])};
+    const double dtheta_1[3] = {-c[0], -c[2], c[2] + c[0]}, dtheta_2[3] = {c[0] + c[1], -c[1], -c[0]};
+    const Eigen::VectorXd omega_0 = omega.row(h[0]), omega_2 = omega.row(h[2]);
+    for (int k = 0; k < 3; ++k)
+      for (const auto& [i, lambda] : flow.lambda[t.edge(h[k])])
+        j.middleCols(2 * i, 2) += (omega_0 * dtheta_1[k] - omega_2 * dtheta_2[k]) * lambda.transpose();
+  }
+  return j;
+}
+
+Eigen::VectorXd quarter_turn_defects(const Eigen::VectorXd& turning)
+{
+  return turning.unaryExpr([](double x) { return quarter_turn_defect(x); });
+}
+
+void move_cones(const Intrinsic_triangulation& t, const Eigen::VectorXd& step, Divisor& divisor,
+                std::vector<double>& moved_by)
+{
+  for (std::size_t i = 0; i < divisor.size(); ++i) {
+    const std::complex<double> d(step[2 * i], step[2 * i + 1]);
+    if (d == 0.) continue;
+    divisor[i].location = internal::walk(t, divisor[i].location, d, [](const Surface_point&, const Surface_point&) {});
+    moved_by[i] += std::abs(d);
+  }
+}
+
+bool has_full_rank(const Eigen::MatrixXd& j)
+{
+  const Eigen::FullPivLU<Eigen::MatrixXd> lu(j * j.transpose());
+  return lu.rank() == j.rows();
+}
+
+// Moves the cones that were frozen only because they are at a vertex 1e-3 of an edge into their face.
+bool move_off_vertices(const std::vector<char>& frozen, Divisor& divisor)
+{
+  bool moved = false;
+  for (std::size_t i = 0; i < divisor.size(); ++i) {
+    if (!frozen[i] || divisor[i].pinned) continue;
+    for (double& b : divisor[i].location.barycentric) b = (1 - 3e-3) * b + 1e-3;
+    moved = true;
+  }
+  return moved;
+}
+
+void refuse_collisions(const Intrinsic_triangulation& t, const Divisor& divisor, double least)
+{
+  std::vector<Surface_point> points;
+  for (const Singularity& s : divisor) points.push_back(s.location);
+  const double size = std::sqrt(t.area());
+  const Nearest_singularities n = nearest_singularities(t, points, least * size);
+  if (n.distance < least * size)
+    throw Infeasible_divisor_error("making the holonomy exact drives singularities " + std::to_string(n.first + 1) + " and "
+                                   + std::to_string(n.second + 1) + " together (distance "
+                                   + std::to_string(n.distance / size) + " sqrt(area))");
+}
+
+} // namespace
+
+double quarter_turn_defect(double angle) { return angle - pi / 2 * std::round(angle / (pi / 2)); }
+
+double max_transition_error(const Intrinsic_triangulation& t, const std::vector<double>& angles)
+{
+  const auto direction = [&](Halfedge h) {   // of h in the frame of its face, as in `turning_numbers`
+    const auto [h0, h1, h2] = t.halfedges(t.face(h));
+    if (h == h0) return 0.0;
+    return h == h1 ? pi - angles[h1] : 2 * pi - angles[h1] - angles[h2];
+  };
+  const auto rotation = [&](Halfedge h) { return direction(t.opposite(h)) - direction(h) + pi; };
+  std::vector<double> frame(t.number_of_faces(), 0);
+  std::vector<char> seen(t.number_of_faces(), false);
+  std::queue<Face> queue;
+  const Face first = *t.faces().begin();
+  seen[first] = true;
+  queue.push(first);
+  while (!queue.empty()) {
+    const Face f = queue.front();
+    queue.pop();
+    for (Halfedge h : t.halfedges(f)) {
+      const Face g = t.face(t.opposite(h));
+      if (seen[g]) continue;
+      seen[g] = true;
+      frame[g] = std::remainder(frame[f] + rotation(h), 2 * pi);
+      queue.push(g);
+    }
+  }
+  double worst = 0;
+  for (Edge e : t.edges()) {
+    const Halfedge h = t.halfedge(e);
+    worst = std::max(worst, std::abs(quarter_turn_defect(frame[t.face(h)] + rotation(h) - frame[t.face(t.opposite(h))])));
+  }
+  return worst;
+}
+
+Cone_metric cone_metric(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor,
+                        const Cone_metric* warm_start, const Cone_metric_options& options, Visitor& visitor)
+{
+  Laplacian_solver laplacian;
+  return flow_of(t, cochains, divisor, warm_start, laplacian, options, visitor).metric;
+}
+
+Eigen::MatrixXd holonomy_jacobian(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
+                                  const Divisor& divisor, const Cone_metric_options& options, Visitor& visitor)
+{
+  Laplacian_solver laplacian;
+  const Flow flow = flow_of(t, cochains, divisor, nullptr, laplacian, options, visitor);
+  return jacobian(flow, laplacian);
+}
+
+Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
+                                    const Divisor& divisor, const Cone_metric_options& options, Visitor& visitor)
+{
+  Exact_cone_metric result;
+  result.divisor = divisor;
+  result.moved_by.assign(divisor.size(), 0);
+  Laplacian_solver laplacian;
+  const auto first_flow = [&] {
+    const internal::Timed_step step(visitor, "cone_metric");
+    return flow_of(t, cochains, divisor, nullptr, laplacian, options, visitor);
+  };
+  Flow flow = first_flow();
+  result.first_flow = flow.metric.flow;
+  const internal::Timed_step step(visitor, "holonomy");
+  const auto turning = [](const Flow& f) {
+    return turning_numbers(f.metric.triangulation, f.metric.cochains, f.metric.angles);
+  };
+  Eigen::VectorXd defect = quarter_turn_defects(turning(flow));
+  result.history.assign(1, largest(defect));
+
+  for (int iteration = 0; iteration < options.outer_iterations && !divisor.empty(); ++iteration) {
+    if (result.history.back() <= options.holonomy_tolerance || !flow.metric.flow.reached()) break;
+    Eigen::MatrixXd j = jacobian(flow, laplacian);
+    if (!has_full_rank(j)) {
+      if (!move_off_vertices(flow.frozen, result.divisor))
+        throw Infeasible_divisor_error("the singularities that may move cannot make the holonomy exact "
+                                       "(rank of the Jacobian below 2g): pin fewer of them");
+      flow = flow_of(t, cochains, result.divisor, &flow.metric, laplacian, options, visitor);
+      defect = quarter_turn_defects(turning(flow));
+      j = jacobian(flow, laplacian);
+    }
+    const Eigen::VectorXd full_step = -j.transpose() * (j * j.transpose()).ldlt().solve(defect);
+    bool accepted = false;
+    for (double step = 1; step > 0.02 && !accepted; step /= 2) {
+      Divisor tried = result.divisor;
+      std::vector<double> moved_by = result.moved_by;
+      move_cones(t, step * full_step, tried, moved_by);
+      Flow tried_flow = flow_of(t, cochains, tried, &flow.metric, laplacian, options, visitor);
+      const Eigen::VectorXd tried_defect = quarter_turn_defects(turning(tried_flow));
+      accepted = tried_flow.metric.flow.reached() && tried_defect.norm() < defect.norm();
+      if (!accepted) continue;
+      result.divisor = tried;
+      result.moved_by = moved_by;
+      flow = std::move(tried_flow);
+      defect = tried_defect;
+      result.history.push_back(largest(defect));
+      visitor.progress("holonomy, step " + std::to_string(iteration + 1) + ": error " + scientific(result.history.back()));
+    }
+    if (!accepted) break;   // stagnation: rounding is reached, or the flow fails
+  }
+  if (divisor.size() > 1) refuse_collisions(t, result.divisor, options.least_distance);
+
+  result.turning = turning(flow);
+  result.max_holonomy_error = result.history.back();
+  result.max_transition_error = max_transition_error(flow.metric.triangulation, flow.metric.angles);
+  result.metric = std::move(flow.metric);
+  result.reached = result.metric.flow.reached() && result.max_holonomy_error <= options.accepted_holonomy
+                && result.max_transition_error <= options.accepted_holonomy;
+  return result;
+}
+
+} } // namespace CGAL::Quartic_differentials

@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/divisor.h>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+int degree(const Divisor& d)
+{
+  int sum = 0;
+  for (const Singularity& s : d) sum += s.order;
+  return sum;
+}
+
+} } // namespace CGAL::Quartic_differentials

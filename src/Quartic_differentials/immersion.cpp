@@ -1,0 +1,345 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/immersion.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/cut_to_disk.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <queue>
+#include <sstream>
+#include <tuple>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+// Notation (DESIGN, step 7)
+//   s, s'   a side of the boundary polygon of the cut surface, and its mate
+//   k_s     the rotation i^k of the change of charts across s, from the face on the left of s to the one at s'
+//   d_s     the vector along s; d_s' = -i^k_s d_s
+//   A       the side of each pair that is computed; the other one is its image
+
+namespace {
+
+using Complex      = std::complex<double>;
+using Cut_disk     = internal::Cut_disk;
+using Grid_vectors = std::vector<Grid_vector>;
+
+const double pi = 3.14159265358979323846;
+const double largest_rotation_error = 1e-6;
+
+// ---- The layout in floating point numbers
+
+struct Layout
+{
+  std::vector<Complex> position;    // by halfedge: of its source in the disk
+  std::vector<Complex> direction;   // by halfedge: unit vector along it
+};
+
+// Breadth first, but a face across a shorter edge before one across an edge 16 times as long: so the paths to faces are
+// short, and the gaps of the layout appear between large triangles, not inside a region of small ones.
+Layout layout(const Intrinsic_triangulation& t, const std::vector<double>& lengths, const Cut_disk& disk)
+{
+  struct Entry
+  {
+    int         scale;    // smaller ones are more urgent, then smaller numbers
+    std::size_t number;
+    Halfedge    h;
+    bool operator<(const Entry& e) const { return std::tie(scale, number) > std::tie(e.scale, e.number); }
+  };
+  const auto scale = [](double length) { return static_cast<int>(std::floor(std::log2(length) / 4)); };
+  std::priority_queue<Entry> queue;
+  std::size_t pushed = 0;
+  const std::vector<double> angle = corner_angles(t, lengths);
+  std::vector<char> placed(t.number_of_faces(), false);
+  Layout result{std::vector<Complex>(t.number_of_halfedges()), std::vector<Complex>(t.number_of_halfedges())};
+  const auto place = [&](Halfedge h, Complex z, Complex e) {
+    placed[t.face(h)] = true;
+    for (int k = 0; k < 3; ++k) {
+      result.position[h] = z;
+      result.direction[h] = e;
+      if (!disk.is_cut[t.edge(h)]) queue.push({scale(lengths[t.edge(h)]), pushed++, h});
+      z += lengths[t.edge(h)] * e;
+      h = t.next(h);
+      e *= std::polar(1.0, pi - angle[h]);
+      e /= std::abs(e);
+    }
+  };
+  place(t.halfedge(*t.faces().begin()), 0, 1);
+  while (!queue.empty()) {
+    const Halfedge h = queue.top().h, o = t.opposite(h);
+    queue.pop();
+    if (!placed[t.face(o)]) place(o, result.position[t.next(h)], -result.direction[h]);
+  }
+  return result;
+}
+
+// moves the centre to 0 and scales to a largest coordinate of 1
+void normalise(std::vector<Complex>& position)
+{
+  Complex sum = 0;
+  for (Complex z : position) sum += z;
+  const Complex centre = sum / static_cast<double>(position.size());
+  double size = 0;
+  for (Complex z : position)
+    size = std::max({size, std::abs(z.real() - centre.real()), std::abs(z.imag() - centre.imag())});
+  for (Complex& z : position) z = (z - centre) / size;
+}
+
+double layout_gap(const Intrinsic_triangulation& t, const Cut_disk& disk, const std::vector<Complex>& position)
+{
+  double gap = 0;
+  for (Halfedge h : t.halfedges())
+    if (!disk.is_cut[t.edge(h)]) gap = std::max(gap, std::abs(position[h] - position[t.next(t.opposite(h))]));
+  return gap;
+}
+
+// A vertex of the disk sits where the face with its shortest halfedge put it: small triangles keep their shape.
+std::vector<Complex> positions_of_copies(const Intrinsic_triangulation& t, const std::vector<double>& lengths,
+                                         const Cut_disk& disk, const std::vector<Complex>& position)
+{
+  std::vector<Complex> result(disk.number_of_copies);
+  std::vector<double> shortest(disk.number_of_copies, std::numeric_limits<double>::infinity());
+  for (Halfedge h : t.halfedges()) {
+    const std::size_t c = disk.copy[h];
+    if (lengths[t.edge(h)] >= shortest[c]) continue;
+    shortest[c] = lengths[t.edge(h)];
+    result[c] = position[h];
+  }
+  return result;
+}
+
+// k_s of every side; `error` becomes the worst deviation of an edge from it [radians]
+std::vector<int> rotations(const Intrinsic_triangulation& t, const Cut_disk& disk, const std::vector<Complex>& direction,
+                           double& error)
+{
+  const auto turn = [&](Halfedge h) { return std::arg(-direction[t.opposite(h)] / direction[h]); };
+  std::vector<int> result;
+  for (const Cut_disk::Side& s : disk.sides) {
+    const double k = std::round(turn(disk.boundary[s.first]) / (pi / 2));
+    for (std::size_t i = s.first; i < s.first + s.size; ++i)
+      error = std::max(error, std::abs(std::remainder(turn(disk.boundary[i]) - k * (pi / 2), 2 * pi)));
+    result.push_back(static_cast<int>(k) & 3);
+  }
+  return result;
+}
+
+// ---- Exact seams
+
+Grid_vector rounded(Complex z) { return {std::llround(z.real()), std::llround(z.imag())}; }
+
+Complex to_complex(Grid_vector v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+
+// (1 - i^k) v
+Grid_vector times_one_minus_rotation(Grid_vector v, int k) { return v - rotated(v, k); }
+
+// v / (1 - i^k). \pre k is not 0, and 1 - i^k divides v
+Grid_vector divided_by_one_minus_rotation(Grid_vector v, int k)
+{
+  const Grid_vector product = times_one_minus_rotation(v, -k);   // by the conjugate
+  const std::int64_t norm = k == 2 ? 4 : 2;
+  CGAL_assertion(product.x % norm == 0 && product.y % norm == 0);
+  return {product.x / norm, product.y / norm};
+}
+
+// Spreads the residual r of the closure equation over the segments of `pool` by length: d_s -= q_s with
+// sum of (1 - i^k_s) q_s = r. What remains for the last one divides: 1 - i^k divides 1 - i^l if k is odd, and where
+// every k is even, r is a sum of multiples of 2.
+void spread(Grid_vector r, const std::vector<std::size_t>& pool, const std::vector<int>& k, Grid_vectors& d)
+{
+  double length = 0;
+  for (std::size_t s : pool) length += std::abs(to_complex(d[s]));
+  for (std::size_t s : pool) {
+    const double own = std::abs(to_complex(d[s]));
+    const Complex one_minus_rotation = to_complex(times_one_minus_rotation({1, 0}, k[s]));
+    const Grid_vector q = s == pool.back() ? divided_by_one_minus_rotation(r, k[s])
+                                           : rounded(to_complex(r) * (own / length) / one_minus_rotation);
+    d[s] = d[s] - q;
+    r = r - times_one_minus_rotation(q, k[s]);
+    length -= own;
+  }
+}
+
+// The vectors d_s of all sides on the grid, exactly mated and exactly closed: sum of (1 - i^k_s) d_s = 0 over the A
+// sides. If every k is 0 the sum vanishes term by term and nothing is spread.
+Grid_vectors closed_polygon(const Cut_disk& disk, const std::vector<int>& k, const std::vector<Complex>& z,
+                            Grid_vector& residual)
+{
+  Grid_vectors d(disk.sides.size());
+  std::vector<std::size_t> odd, half_turn;
+  residual = {};
+  for (std::size_t s = 0; s < d.size(); ++s) {
+    if (s > disk.sides[s].mate) continue;
+    d[s] = rounded(z[disk.sides[disk.next_side(s)].first]) - rounded(z[disk.sides[s].first]);
+    residual = residual + times_one_minus_rotation(d[s], k[s]);
+    if (k[s] % 2 == 1) odd.push_back(s);
+    if (k[s] == 2) half_turn.push_back(s);
+  }
+  spread(residual, odd.empty() ? half_turn : odd, k, d);
+  for (std::size_t s = 0; s < d.size(); ++s)
+    if (s < disk.sides[s].mate) d[disk.sides[s].mate] = Grid_vector{} - rotated(d[s], k[s]);
+  return d;
+}
+
+// The vertices of side A follow the moves of its ends, in proportion to the distance from them.
+void snap_side(const Intrinsic_triangulation& t, const std::vector<double>& lengths, const Cut_disk& disk,
+               std::size_t s, const std::vector<Complex>& z, Grid_vectors& point)
+{
+  const Cut_disk::Side& side = disk.sides[s];
+  const std::size_t end = disk.sides[disk.next_side(s)].first;
+  const Complex move_begin = to_complex(point[side.first]) - z[side.first], move_end = to_complex(point[end]) - z[end];
+  double length = 0, along = 0;
+  for (std::size_t i = side.first; i < side.first + side.size; ++i) length += lengths[t.edge(disk.boundary[i])];
+  for (std::size_t i = side.first + 1; i < side.first + side.size; ++i) {
+    along += lengths[t.edge(disk.boundary[i - 1])];
+    point[i] = rounded(z[i] + move_begin + (along / length) * (move_end - move_begin));
+  }
+}
+
+struct Snapped
+{
+  Grid_vectors            point;        // by vertex of the disk
+  std::vector<Transition> transition;   // by side of the disk
+};
+
+Snapped snap(const Intrinsic_triangulation& t, const std::vector<double>& lengths, const Cut_disk& disk,
+             const std::vector<int>& k, const std::vector<Complex>& z, Grid_vector& residual)
+{
+  Snapped result{Grid_vectors(z.size()), std::vector<Transition>(disk.sides.size())};
+  Grid_vectors& point = result.point;
+  for (std::size_t c = disk.boundary.size(); c < z.size(); ++c) point[c] = rounded(z[c]);
+
+  const Grid_vectors d = closed_polygon(disk, k, z, residual);
+  Grid_vector node = rounded(z[0]);
+  for (std::size_t s = 0; s < d.size(); ++s) {
+    point[disk.sides[s].first] = node;
+    node = node + d[s];
+  }
+  CGAL_assertion(node == point[0]);
+
+  for (std::size_t s = 0; s < d.size(); ++s) {
+    const Cut_disk::Side &a = disk.sides[s], &b = disk.sides[a.mate];
+    if (s > a.mate) continue;
+    snap_side(t, lengths, disk, s, z, point);
+    const Grid_vector image_of_begin = point[disk.sides[disk.next_side(a.mate)].first];
+    const Transition to_mate{k[s], image_of_begin - rotated(point[a.first], k[s])};
+    for (std::size_t i = 1; i < b.size; ++i) point[b.first + i] = to_mate(point[a.first + a.size - i]);
+    result.transition[s] = to_mate;
+    result.transition[a.mate] = to_mate.inverse();
+  }
+  return result;
+}
+
+// ---- The quartic differential and its report
+
+Quartic_differential on_grid(const Intrinsic_triangulation& t, const std::vector<double>& lengths, const Cut_disk& disk,
+                             const std::vector<int>& k, const std::vector<Complex>& position, int grid_exponent,
+                             Immersion_report& report)
+{
+  const double unit = std::ldexp(1.0, grid_exponent);
+  std::vector<Complex> z = positions_of_copies(t, lengths, disk, position);
+  for (Complex& w : z) w *= unit;
+  const Snapped snapped = snap(t, lengths, disk, k, z, report.closure_residual);
+
+  Quartic_differential q;
+  q.grid_exponent = grid_exponent;
+  q.corner.resize(t.number_of_halfedges());
+  q.transition.resize(t.number_of_halfedges());
+  report.grid_exponent = grid_exponent;
+  report.largest_move = 0;
+  for (Halfedge h : t.halfedges()) {
+    q.corner[h] = snapped.point[disk.copy[h]];
+    report.largest_move = std::max(report.largest_move, std::abs(to_complex(q.corner[h]) / unit - position[h]));
+  }
+  for (std::size_t s = 0; s < disk.sides.size(); ++s)
+    for (std::size_t i = 0; i < disk.sides[s].size; ++i)
+      q.transition[disk.boundary[disk.sides[s].first + i]] = snapped.transition[s];
+  return q;
+}
+
+void measure_triangles(const Intrinsic_triangulation& t, const Grid_vectors& corner, Immersion_report& report)
+{
+  report.flipped_triangles = 0;
+  report.min_altitude = std::numeric_limits<double>::infinity();
+  for (Face f : t.faces()) {
+    const auto [h0, h1, h2] = t.halfedges(f);
+    const __int128 area = doubled_area(corner[h0], corner[h1], corner[h2]);
+    if (area <= 0) ++report.flipped_triangles;
+    const double longest = std::max({std::abs(to_complex(corner[h1] - corner[h0])),
+                                     std::abs(to_complex(corner[h2] - corner[h1])),
+                                     std::abs(to_complex(corner[h0] - corner[h2]))});
+    report.min_altitude = std::min(report.min_altitude, longest > 0 ? static_cast<double>(area) / longest : 0);
+  }
+}
+
+// Coarse grids first: they leave traces more room in 64 bits. Beyond 2^-50 the layout has no digits left.
+std::vector<int> grid_exponents_to_try(const Immersion_options& options)
+{
+  if (options.grid_exponent != 0) return {options.grid_exponent};
+  return {44, 46, 48, 50};
+}
+
+void require_exact_holonomy(double rotation_error)
+{
+  if (rotation_error <= largest_rotation_error) return;
+  std::ostringstream s;
+  s << "the holonomy of the flat metric is not a multiple of 90 degrees: a seam is off by " << rotation_error << " radians";
+  throw Numerical_error(s.str());
+}
+
+} // namespace
+
+Quartic_differential immersion(const Intrinsic_triangulation& t, const std::vector<double>& flat_lengths,
+                               const std::vector<Vertex>& singularities, const std::vector<int>& order,
+                               double surface_area, const Immersion_options& options, Immersion_report& report)
+{
+  CGAL_precondition(options.grid_exponent == 0 || (options.grid_exponent >= 20 && options.grid_exponent <= 50));
+  CGAL_precondition(flat_lengths.size() == t.number_of_edges() && order.size() == t.number_of_vertices());
+  report = {};
+  std::vector<char> is_cone(t.number_of_vertices(), false);
+  for (Vertex v : singularities) is_cone[v] = true;
+  const Cut_disk disk = internal::cut_to_disk(t, flat_lengths, is_cone);
+  report.cut_edges = disk.boundary.size() / 2;
+  report.segments = disk.sides.size() / 2;
+
+  Layout plane = layout(t, flat_lengths, disk);
+  normalise(plane.position);
+  report.layout_gap = layout_gap(t, disk, plane.position);
+  const std::vector<int> k = rotations(t, disk, plane.direction, report.rotation_error);
+  require_exact_holonomy(report.rotation_error);
+
+  Quartic_differential q;
+  for (int exponent : grid_exponents_to_try(options)) {
+    q = on_grid(t, flat_lengths, disk, k, plane.position, exponent, report);
+    measure_triangles(t, q.corner, report);
+    if (report.flipped_triangles == 0) break;
+  }
+  q.triangulation = t;
+  q.order = order;
+  q.singularities = singularities;
+  const double unit = std::ldexp(1.0, q.grid_exponent);
+  q.surface_units_per_unit = unit * std::sqrt(2 * surface_area / static_cast<double>(q.doubled_area()));
+
+  const std::string violation = report.flipped_triangles == 0 ? defect(q) : std::string();
+  if (!violation.empty()) throw Numerical_error("the flat metric does not fit the divisor: " + violation);
+  return q;
+}
+
+void require_no_flipped_triangles(const Immersion_report& report)
+{
+  if (report.flipped_triangles == 0) return;
+  std::ostringstream s;
+  s << report.flipped_triangles << " triangles of the flat metric are too small for a grid of 2^-" << report.grid_exponent
+    << " of its size (the smallest altitude is " << report.min_altitude << " grid units, corners moved by "
+    << std::ldexp(report.largest_move, report.grid_exponent)
+    << "): the scale factors vary too much; use more or better placed singularities";
+  throw Numerical_error(s.str());
+}
+
+} } // namespace CGAL::Quartic_differentials

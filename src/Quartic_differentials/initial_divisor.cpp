@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/initial_divisor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <queue>
+#include <string>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+const double pi = 3.14159265358979323846;
+const double smoothing_time = 0.0025;   // of the area
+const double separation = 0.06;         // least distance of the extrema along edges, times sqrt(area)
+
+// A point well inside a face next to v.
+Surface_point beside(const Intrinsic_triangulation& t, Vertex v)
+{
+  const Halfedge h = t.halfedge_from(v);
+  Surface_point p{t.face(h), {0.3, 0.3, 0.3}};
+  p.barycentric[t.corner(h)] = 0.4;
+  return p;
+}
+
+Vertex nearest_corner(const Intrinsic_triangulation& t, const Surface_point& p)
+{
+  const auto k = std::max_element(p.barycentric.begin(), p.barycentric.end()) - p.barycentric.begin();
+  return t.source(t.halfedges(p.face)[k]);
+}
+
+// Picks vertices of extreme curvature, keeping a distance from all that was picked before.
+class Extremum_picker
+{
+public:
+  Extremum_picker(const Intrinsic_triangulation& t, const std::vector<double>& weights)
+    : m_t(t), m_radius(separation * std::sqrt(t.area())), m_taken(t.number_of_vertices(), false)
+  {
+    const std::vector<double> k = curvatures(t, corner_angles(t, t.lengths()));
+    m_curvature = heat_smoothed(t, weights, smoothing_time * t.area(), Eigen::Map<const Eigen::VectorXd>(k.data(), k.size()));
+  }
+
+  // marks everything near v as taken (Dijkstra's algorithm along edges)
+  void take(Vertex v)
+  {
+    using Item = std::pair<double, Vertex>;
+    std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+    std::map<Vertex, double> distance{{v, 0.}};
+    queue.push({0, v});
+    while (!queue.empty()) {
+      const auto [d, u] = queue.top();
+      queue.pop();
+      if (d > distance.at(u)) continue;
+      m_taken[u] = true;
+      const Halfedge first = m_t.halfedge_from(u);
+      Halfedge h = first;
+      do {
+        const Vertex w = m_t.target(h);
+        const double through = d + m_t.length(h);
+        const auto known = distance.find(w);
+        if (through < m_radius && (known == distance.end() || through < known->second)) {
+          distance[w] = through;
+          queue.push({through, w});
+        }
+        h = m_t.next_around_source(h);
+      } while (h != first);
+    }
+  }
+
+  // the next vertices with the largest sign * curvature: local extrema first, then any vertices
+  std::vector<Vertex> pick(int count, int sign)
+  {
+    std::vector<Vertex> picked;
+    std::vector<Vertex> candidates = by_curvature(sign);
+    std::stable_partition(candidates.begin(), candidates.end(), [&](Vertex v) { return is_extremum(v, sign); });
+    for (Vertex v : candidates) {
+      if (static_cast<int>(picked.size()) == count) break;
+      if (m_taken[v]) continue;
+      picked.push_back(v);
+      take(v);
+    }
+    return picked;
+  }
+
+private:
+  std::vector<Vertex> by_curvature(int sign) const
+  {
+    std::vector<Vertex> order(m_t.vertices().begin(), m_t.vertices().end());
+    std::stable_sort(order.begin(), order.end(), [&](Vertex a, Vertex b) {
+      return sign * m_curvature[a] > sign * m_curvature[b];
+    });
+    return order;
+  }
+  bool is_extremum(Vertex v, int sign) const
+  {
+    const Halfedge first = m_t.halfedge_from(v);
+    Halfedge h = first;
+    do {
+      if (sign * m_curvature[m_t.target(h)] >= sign * m_curvature[v]) return false;
+      h = m_t.next_around_source(h);
+    } while (h != first);
+    return true;
+  }
+
+  const Intrinsic_triangulation& m_t;
+  double                         m_radius;
+  std::vector<char>              m_taken;
+  Eigen::VectorXd                m_curvature;
+};
+
+// The range of log scales of the linearised flat metric, L u = K_target - K.
+double range_of_scales(const Intrinsic_triangulation& t, const Laplacian_solver& laplacian, const Divisor& divisor)
+{
+  const std::vector<double> k = curvatures(t, corner_angles(t, t.lengths()));
+  Eigen::VectorXd b = -Eigen::Map<const Eigen::VectorXd>(k.data(), k.size());
+  for (const Singularity& s : divisor) {
+    const auto h = t.halfedges(s.location.face);
+    for (int c = 0; c < 3; ++c) b[t.source(h[c])] -= s.location.barycentric[c] * s.order * pi / 2;
+  }
+  const Eigen::VectorXd u = laplacian.solve(b);
+  return u.maxCoeff() - u.minCoeff();
+}
+
+Divisor simple_divisor(const Intrinsic_triangulation& t, const std::vector<Vertex>& poles,
+                       const std::vector<Vertex>& zeros)
+{
+  Divisor divisor;
+  for (Vertex v : poles) divisor.push_back({beside(t, v), -1, false});
+  for (Vertex v : zeros) divisor.push_back({beside(t, v), +1, false});
+  return divisor;
+}
+
+} // namespace
+
+Divisor curvature_divisor(const Intrinsic_triangulation& t, const std::vector<double>& weights,
+                          const Laplacian_solver& laplacian, int count)
+{
+  const int needed = 8 * t.genus() - 8, least = std::abs(needed);
+  if (count != 0 && count < least)
+    throw Infeasible_divisor_error("at least " + std::to_string(least) + " simple singularities are needed on a surface "
+                                   "of genus " + std::to_string(t.genus()) + ", not " + std::to_string(count));
+  std::vector<int> counts;
+  if (count == 0) {
+    for (int pairs : {0, 2, 4, 6, 8, 12})
+      if (least + 2 * pairs >= 8) counts.push_back(least + 2 * pairs);
+  } else {
+    counts.push_back(count + (count - least) % 2);
+  }
+
+  const Extremum_picker picker(t, weights);
+  Divisor best;
+  double least_range = std::numeric_limits<double>::infinity();
+  for (int n : counts) {
+    const std::size_t poles = (n - needed) / 2, zeros = (n + needed) / 2;
+    Extremum_picker p = picker;
+    const std::vector<Vertex> at_maxima = p.pick(static_cast<int>(poles), +1);
+    const std::vector<Vertex> at_minima = p.pick(static_cast<int>(zeros), -1);
+    if (at_maxima.size() < poles || at_minima.size() < zeros) continue;
+    const Divisor divisor = simple_divisor(t, at_maxima, at_minima);
+    const double range = range_of_scales(t, laplacian, divisor);
+    if (range < least_range) {
+      least_range = range;
+      best = divisor;
+    }
+  }
+  if (best.empty())
+    throw Infeasible_divisor_error("the surface has no room for " + std::to_string(counts.front()) + " singularities "
+                                   + std::to_string(separation) + " sqrt(area) apart");
+  return best;
+}
+
+Divisor with_repaired_degree(const Intrinsic_triangulation& t, const std::vector<double>& weights, Divisor divisor)
+{
+  const int missing = 8 * t.genus() - 8 - degree(divisor);
+  if (missing == 0) return divisor;
+  Extremum_picker picker(t, weights);
+  for (const Singularity& s : divisor) picker.take(nearest_corner(t, s.location));
+  const int order = missing > 0 ? 1 : -1;
+  const std::vector<Vertex> picked = picker.pick(std::abs(missing), -order);
+  if (static_cast<int>(picked.size()) < std::abs(missing))
+    throw Infeasible_divisor_error("the surface has no room for the " + std::to_string(std::abs(missing))
+                                   + " singularities that the degree 8g-8 asks for");
+  for (Vertex v : picked) divisor.push_back({beside(t, v), order, false});
+  return divisor;
+}
+
+} } // namespace CGAL::Quartic_differentials

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/laplacian.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+
+#ifdef QUARTIC_HAS_CHOLMOD
+#include <Eigen/CholmodSupport>
+#else
+#include <Eigen/SparseCholesky>
+#endif
+
+#include <algorithm>
+#include <limits>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+using Sparse_matrix = Eigen::SparseMatrix<double>;
+
+#ifdef QUARTIC_HAS_CHOLMOD
+using Solver = Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Lower>;
+#else
+using Solver = Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower>;
+#endif
+
+bool same_pattern(const Sparse_matrix& a, const Sparse_matrix& b)
+{
+  return a.rows() == b.rows() && a.nonZeros() == b.nonZeros()
+      && std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr())
+      && std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
+// Lower triangle of the Laplacian plus a diagonal, without the rows and columns of the first `grounded` vertices.
+Sparse_matrix lower_laplacian(const Intrinsic_triangulation& t, const std::vector<double>& weights,
+                              std::vector<double> diagonal, int grounded)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(t.number_of_edges() + t.number_of_vertices());
+  for (Edge e : t.edges()) {
+    const int i = static_cast<int>(t.source(t.halfedge(e)).idx()), j = static_cast<int>(t.target(t.halfedge(e)).idx());
+    if (i == j) continue;   // a loop edge has no part in the energy of a function of vertices
+    diagonal[i] += weights[e];
+    diagonal[j] += weights[e];
+    const auto [low, high] = std::minmax(i, j);
+    if (low >= grounded) entries.emplace_back(high - grounded, low - grounded, -weights[e]);
+  }
+  const int n = static_cast<int>(t.number_of_vertices());
+  for (int v = grounded; v < n; ++v) entries.emplace_back(v - grounded, v - grounded, diagonal[v]);
+  Sparse_matrix l(n - grounded, n - grounded);
+  l.setFromTriplets(entries.begin(), entries.end());
+  return l;
+}
+
+} // namespace
+
+std::vector<double> cotangent_weights(const Intrinsic_triangulation& t, const std::vector<double>& lengths)
+{
+  std::vector<double> weights(t.number_of_edges(), 0.0);
+  for (Face f : t.faces()) {
+    const auto h = t.halfedges(f);
+    const double a = lengths[t.edge(h[0])], b = lengths[t.edge(h[1])], c = lengths[t.edge(h[2])];
+    const double area4 = std::max(four_times_area(a, b, c), std::numeric_limits<double>::min());
+    const double aa = a * a, bb = b * b, cc = c * c;
+    weights[t.edge(h[0])] += 0.5 * (bb + cc - aa) / area4;   // cot = (b^2 + c^2 - a^2) / (4 area)
+    weights[t.edge(h[1])] += 0.5 * (cc + aa - bb) / area4;
+    weights[t.edge(h[2])] += 0.5 * (aa + bb - cc) / area4;
+  }
+  return weights;
+}
+
+std::vector<double> vertex_areas(const Intrinsic_triangulation& t)
+{
+  std::vector<double> area(t.number_of_vertices(), 0.0);
+  for (Face f : t.faces()) {
+    const auto h = t.halfedges(f);
+    const double third = four_times_area(t.length(h[0]), t.length(h[1]), t.length(h[2])) / 12;
+    for (Halfedge k : h) area[t.source(k)] += third;
+  }
+  return area;
+}
+
+struct Symmetric_factorization::Implementation
+{
+  Solver        solver;
+  Sparse_matrix matrix;
+};
+
+Symmetric_factorization::Symmetric_factorization() : m_implementation(std::make_unique<Implementation>()) {}
+Symmetric_factorization::~Symmetric_factorization() = default;
+Symmetric_factorization::Symmetric_factorization(Symmetric_factorization&&) noexcept = default;
+Symmetric_factorization& Symmetric_factorization::operator=(Symmetric_factorization&&) noexcept = default;
+
+void Symmetric_factorization::factorize(const Sparse_matrix& lower)
+{
+  Implementation& s = *m_implementation;
+  if (!same_pattern(s.matrix, lower)) s.solver.analyzePattern(lower);
+  s.matrix = lower;
+  s.solver.factorize(lower);
+  if (s.solver.info() != Eigen::Success)
+    throw Numerical_error("a Laplacian could not be factorised: the triangulation is numerically degenerate");
+}
+
+Eigen::MatrixXd Symmetric_factorization::solve(const Eigen::MatrixXd& right_hand_sides) const
+{
+  if (right_hand_sides.cols() == 0) return right_hand_sides;
+  const Eigen::MatrixXd x = m_implementation->solver.solve(right_hand_sides);
+  if (!x.allFinite()) throw Numerical_error("a linear system has no finite solution: the triangulation is degenerate");
+  return x;
+}
+
+const char* Symmetric_factorization::name()
+{
+#ifdef QUARTIC_HAS_CHOLMOD
+  return "SuiteSparse CHOLMOD, supernodal";
+#else
+  return "Eigen SimplicialLDLT";
+#endif
+}
+
+void Laplacian_solver::factorize(const Intrinsic_triangulation& t, const std::vector<double>& weights)
+{
+  m_factorization.factorize(lower_laplacian(t, weights, std::vector<double>(t.number_of_vertices(), 0.0), 1));
+}
+
+Eigen::MatrixXd Laplacian_solver::solve(const Eigen::MatrixXd& b) const
+{
+  Eigen::MatrixXd x(b.rows(), b.cols());
+  x.row(0).setZero();
+  x.bottomRows(b.rows() - 1) = m_factorization.solve(b.bottomRows(b.rows() - 1));
+  return x;
+}
+
+Eigen::VectorXd heat_smoothed(const Intrinsic_triangulation& t, const std::vector<double>& weights, double time,
+                              const Eigen::VectorXd& b)
+{
+  std::vector<double> scaled(weights);
+  for (double& w : scaled) w *= time;
+  Symmetric_factorization heat;
+  heat.factorize(lower_laplacian(t, scaled, vertex_areas(t), 0));
+  return heat.solve(b);
+}
+
+} } // namespace CGAL::Quartic_differentials

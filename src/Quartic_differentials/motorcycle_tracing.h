@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_MOTORCYCLE_TRACING_H
+#define CGAL_QUARTIC_DIFFERENTIALS_MOTORCYCLE_TRACING_H
+
+#include "grid_lines.h"
+
+#include <CGAL/Quartic_differentials/Visitor.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+namespace internal {
+
+/// What a trace does in one face, or along one of its edges with the face on its left.
+struct Visit
+{
+  Face         face;
+  Ray          ray;
+  std::int64_t entry;              ///< the time of entering the face, rounded down
+  bool         entry_is_rounded;   ///< the time is not an integer
+};
+
+/// The way of one motorcycle from its singularity to where it stopped. The last visits may begin after that.
+struct Trace
+{
+  std::size_t        singularity;   ///< index in `Quartic_differential::singularities`
+  std::vector<Visit> visits;
+  std::int64_t       stop;          ///< time; the start is at time 0
+};
+
+/// Two traces that come through one point, or end there.
+struct Meeting
+{
+  std::size_t  first;
+  std::int64_t first_time;
+  std::size_t  second;
+  std::int64_t second_time;
+  int          turn;          ///< from the direction of the first to that of the second, in quarters
+};
+
+struct Traces
+{
+  std::vector<Trace>   traces;     ///< singularity by singularity, counterclockwise
+  std::vector<Meeting> meetings;   ///< all of them; some more than once
+};
+
+/// runs order + 4 motorcycles from every singularity; each stops where it meets the track of another.
+/// \throws Numerical_error, Cancelled_error as `t_mesh()`
+Traces trace_motorcycles(const Quartic_differential& q, Visitor& visitor);
+
+} // namespace internal
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_MOTORCYCLE_TRACING_H

@@ -1,0 +1,535 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/IO/verify_outputs.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+using Json    = nlohmann::json;
+using Integer = boost::multiprecision::cpp_int;
+using Checks  = std::vector<Verification>;
+
+// ---- Reading: everything that comes from a file passes through these functions
+
+// The file is missing or not of the form it should be.
+struct Malformed : std::runtime_error { using std::runtime_error::runtime_error; };
+
+Json read_json(const std::string& folder, const std::string& name)
+{
+  std::ifstream in(folder + "/" + name);
+  if (!in) throw Malformed("the file cannot be opened");
+  try { return Json::parse(in); }
+  catch (const Json::exception&) { throw Malformed("the file is not JSON, or cut off"); }
+}
+
+const Json& member(const Json& object, const char* key)
+{
+  if (!object.is_object() || !object.contains(key)) throw Malformed(std::string("\"") + key + "\" is missing");
+  return object[key];
+}
+
+const Json& array(const Json& value, const std::string& what)
+{
+  if (!value.is_array()) throw Malformed(what + " is not an array");
+  return value;
+}
+
+const Json& array_of_size(const Json& value, std::size_t size, const std::string& what)
+{
+  if (array(value, what).size() != size) throw Malformed(what + " does not have " + std::to_string(size) + " entries");
+  return value;
+}
+
+std::int64_t integer(const Json& value, std::int64_t least, std::int64_t greatest, const std::string& what)
+{
+  if (!value.is_number_integer()) throw Malformed(what + " is not an integer of 64 bits");
+  const bool beyond = value.is_number_unsigned()
+                   && value.get<std::uint64_t>() > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (beyond || value.get<std::int64_t>() < least || value.get<std::int64_t>() > greatest)
+    throw Malformed(what + " is out of range");
+  return value.get<std::int64_t>();
+}
+
+std::string string(const Json& value, const std::string& what)
+{
+  if (!value.is_string()) throw Malformed(what + " is not a string");
+  return value.get<std::string>();
+}
+
+using Position = std::array<double, 3>;
+
+Position position(const Json& value, const std::string& what)
+{
+  Position p;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Json& x = array_of_size(value, 3, what)[k];
+    if (!x.is_number() || !std::isfinite(x.get<double>())) throw Malformed(what + " is not three finite numbers");
+    p[k] = x.get<double>();
+  }
+  return p;
+}
+
+const std::int64_t most_items = std::numeric_limits<std::int32_t>::max();
+const int          largest_grid_exponent = 62;
+
+// ---- report.json
+
+struct Report
+{
+  std::int64_t              genus = 0;
+  std::vector<std::int64_t> orders;   // sorted
+};
+
+Report read_report(const std::string& folder)
+{
+  const Json json = read_json(folder, "report.json");
+  Report report;
+  report.genus = integer(member(member(json, "input"), "genus"), 0, most_items, "input.genus");
+  for (const Json& s : array(member(json, "singularities"), "singularities"))
+    report.orders.push_back(integer(member(s, "order"), -3, most_items, "the order of a singularity"));
+  std::sort(report.orders.begin(), report.orders.end());
+  return report;
+}
+
+// ---- flat_intrinsic.json
+
+struct Point { std::int64_t x, y; };
+
+Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+
+// Coordinates are at most 2^60, differences at most 2^61: products and their differences fit.
+__int128 cross(Point a, Point b) { return static_cast<__int128>(a.x) * b.y - static_cast<__int128>(a.y) * b.x; }
+
+struct Corner { std::int64_t triangle; int index; };   // also an edge: the one that begins there
+
+struct Flat_triangle
+{
+  std::array<std::int64_t, 3> vertex;
+  std::array<Point, 3>        point;
+  std::array<Corner, 3>       opposite;
+
+  Point edge(int k) const { return point[(k + 1) % 3] - point[k]; }
+};
+
+struct Flat
+{
+  int                        grid_exponent = 0;
+  bool                       is_embedded = false;
+  std::vector<Flat_triangle> triangles;
+};
+
+Flat read_flat(const std::string& folder)
+{
+  const Json json = read_json(folder, "flat_intrinsic.json");
+  Flat flat;
+  flat.grid_exponent = static_cast<int>(integer(member(json, "grid_exponent"), 0, largest_grid_exponent, "grid_exponent"));
+  const Json& vertices = array(member(json, "vertices"), "vertices");
+  const Json& triangles = array(member(json, "triangles"), "triangles");
+  const std::size_t n = triangles.size();
+  const Json& uv = array_of_size(member(json, "uv"), n, "uv");
+  const Json& opposite = array_of_size(member(json, "opposite"), n, "opposite");
+  if (n == 0 || n % 2 != 0 || n > static_cast<std::size_t>(most_items / 6))
+    throw Malformed(std::to_string(n) + " triangles cannot make a closed surface");
+  for (const Json& v : vertices) position(v, "the position of a vertex");
+  flat.is_embedded = !vertices.empty();
+
+  const std::int64_t largest = std::int64_t(1) << 60;
+  const std::int64_t last_vertex = static_cast<std::int64_t>(vertices.empty() ? 3 * n : vertices.size()) - 1;
+  const std::int64_t last_triangle = static_cast<std::int64_t>(n) - 1;
+  flat.triangles.resize(n);
+  for (std::size_t t = 0; t < n; ++t) {
+    const std::string name = "triangle " + std::to_string(t);
+    Flat_triangle& f = flat.triangles[t];
+    array_of_size(triangles[t], 3, name);
+    array_of_size(uv[t], 6, "uv of " + name);
+    array_of_size(opposite[t], 3, "opposite of " + name);
+    for (int k = 0; k < 3; ++k) {
+      f.vertex[k] = integer(triangles[t][k], 0, last_vertex, "a vertex of " + name);
+      f.point[k].x = integer(uv[t][2 * k], -largest, largest, "a coordinate of " + name);
+      f.point[k].y = integer(uv[t][2 * k + 1], -largest, largest, "a coordinate of " + name);
+      const Json& glued = array_of_size(opposite[t][k], 2, "an opposite of " + name);
+      f.opposite[k].triangle = integer(glued[0], 0, last_triangle, "an opposite triangle of " + name);
+      f.opposite[k].index = static_cast<int>(integer(glued[1], 0, 2, "an opposite edge of " + name));
+    }
+  }
+  return flat;
+}
+
+bool is_gluing(const Flat& flat)
+{
+  for (std::size_t t = 0; t < flat.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Flat_triangle& here = flat.triangles[t];
+      const auto [u, j] = here.opposite[k];
+      const Flat_triangle& there = flat.triangles[u];
+      const bool is_itself = static_cast<std::size_t>(u) == t && j == k;
+      const bool is_mutual = static_cast<std::size_t>(there.opposite[j].triangle) == t && there.opposite[j].index == k;
+      if (is_itself || !is_mutual) return false;
+      if (here.vertex[k] != there.vertex[(j + 1) % 3] || here.vertex[(k + 1) % 3] != there.vertex[j]) return false;
+    }
+  return true;
+}
+
+bool is_connected(const Flat& flat)
+{
+  std::vector<char> seen(flat.triangles.size(), false);
+  std::vector<std::int64_t> stack{0};
+  seen[0] = true;
+  while (!stack.empty()) {
+    const Flat_triangle& f = flat.triangles[stack.back()];
+    stack.pop_back();
+    for (const Corner& o : f.opposite)
+      if (!seen[o.triangle]) {
+        seen[o.triangle] = true;
+        stack.push_back(o.triangle);
+      }
+  }
+  return std::find(seen.begin(), seen.end(), false) == seen.end();
+}
+
+std::int64_t number_of_vertices(const Flat& flat)
+{
+  std::vector<std::int64_t> used;
+  for (const Flat_triangle& f : flat.triangles) used.insert(used.end(), f.vertex.begin(), f.vertex.end());
+  std::sort(used.begin(), used.end());
+  return std::unique(used.begin(), used.end()) - used.begin();
+}
+
+// How many of the directions 1, i, -1, -i lie in a corner, its right side included: one for every 90 degrees of a cone.
+int axes_in_corner(const Flat_triangle& f, int k)
+{
+  const Point right = f.edge(k), left = f.point[(k + 2) % 3] - f.point[k];
+  int n = 0;
+  for (const Point axis : {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}})
+    if (cross(right, axis) >= 0 && cross(axis, left) > 0) ++n;
+  return n;
+}
+
+// the angle of every circle of corners, in units of 90 degrees. \pre is_gluing(flat)
+std::vector<std::int64_t> cone_angles(const Flat& flat)
+{
+  std::vector<std::array<char, 3>> seen(flat.triangles.size(), {false, false, false});
+  std::vector<std::int64_t> angles;
+  for (std::size_t t = 0; t < flat.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      if (seen[t][k]) continue;
+      std::int64_t quarters = 0;
+      for (Corner c{static_cast<std::int64_t>(t), k}; !seen[c.triangle][c.index]; ) {
+        seen[c.triangle][c.index] = true;
+        quarters += axes_in_corner(flat.triangles[c.triangle], c.index);
+        c = flat.triangles[c.triangle].opposite[(c.index + 2) % 3];
+      }
+      angles.push_back(quarters);
+    }
+  return angles;
+}
+
+// the number of halfedges, two for every edge
+std::size_t inexact_transitions(const Flat& flat)
+{
+  std::size_t n = 0;
+  for (const Flat_triangle& f : flat.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const Point d = f.edge(k);
+      const Point e = Point{0, 0} - flat.triangles[f.opposite[k].triangle].edge(f.opposite[k].index);
+      if (!(e == d || e == Point{-d.y, d.x} || e == Point{-d.x, -d.y} || e == Point{d.y, -d.x})) ++n;
+    }
+  return n;
+}
+
+struct Flat_facts
+{
+  Integer                   doubled_area;   // in squared grid units
+  int                       grid_exponent = 0;
+  bool                      is_embedded = false;
+  std::vector<std::int64_t> orders;         // sorted, without 0
+};
+
+Flat_facts verify_flat(const Flat& flat, const Report& report, Checks& checks)
+{
+  const std::size_t n = flat.triangles.size();
+  Flat_facts facts;
+  facts.grid_exponent = flat.grid_exponent;
+  facts.is_embedded = flat.is_embedded;
+  std::size_t flips = 0;
+  for (const Flat_triangle& f : flat.triangles) {
+    const __int128 area = cross(f.edge(0), f.point[2] - f.point[0]);
+    facts.doubled_area += Integer(area);
+    if (area <= 0) ++flips;
+  }
+  const bool glued = is_gluing(flat);
+  checks.push_back({glued, "flat_intrinsic: gluing is an orientation-reversing involution that respects the vertices"});
+  checks.push_back({is_connected(flat), "flat_intrinsic: one component"});
+  const std::int64_t vertices = number_of_vertices(flat);
+  const std::int64_t chi = vertices - static_cast<std::int64_t>(n / 2);
+  checks.push_back({chi == 2 - 2 * report.genus, "flat_intrinsic: Euler characteristic " + std::to_string(chi) + " = 2-2g"});
+  checks.push_back({flips == 0, "flat_intrinsic: " + std::to_string(flips) + " of " + std::to_string(n)
+                              + " triangles flipped or degenerate (exact)"});
+  const std::size_t inexact = inexact_transitions(flat);
+  checks.push_back({inexact == 0, "flat_intrinsic: " + std::to_string(inexact / 2)
+                                + " edges are not an exact rotation by k*90 deg"});
+  if (!glued) return facts;
+
+  const std::vector<std::int64_t> angles = cone_angles(flat);
+  checks.push_back({static_cast<std::int64_t>(angles.size()) == vertices,
+                    "flat_intrinsic: the triangles round every vertex form one circle"});
+  std::int64_t degree = 0;
+  for (std::int64_t quarters : angles) {
+    if (quarters != 4) facts.orders.push_back(quarters - 4);
+    degree += quarters - 4;
+  }
+  std::sort(facts.orders.begin(), facts.orders.end());
+  checks.push_back({degree == 8 * report.genus - 8, "cones: " + std::to_string(facts.orders.size())
+                                                  + " singularities, degree " + std::to_string(degree) + " = 8g-8"});
+  checks.push_back({facts.orders == report.orders, "cones: orders match the report"});
+  return facts;
+}
+
+// ---- tmesh.json
+
+struct Node
+{
+  std::string             kind;
+  std::int64_t            order = 0;
+  std::optional<Position> position;
+  std::int64_t            arms = 0, corners = 0;
+};
+
+struct Arc
+{
+  std::size_t                                from = 0, to = 0;
+  std::int64_t                               length = 0;
+  std::optional<std::pair<Position, Position>> ends;   // of the polyline
+  std::int64_t                               forward_uses = 0, backward_uses = 0;
+};
+
+struct Side_piece { std::size_t arc; bool forward; };
+
+struct Patch
+{
+  std::int64_t                           width = 0, height = 0;
+  std::array<std::vector<Side_piece>, 4> sides;
+};
+
+struct Tmesh
+{
+  int                grid_exponent = 0;
+  std::vector<Node>  nodes;
+  std::vector<Arc>   arcs;
+  std::vector<Patch> patches;
+};
+
+const std::int64_t largest_integer = std::numeric_limits<std::int64_t>::max();
+
+// the places of a list's items by their "id"
+using Ids = std::map<std::int64_t, std::size_t>;
+
+Ids read_ids(const Json& items, const std::string& what)
+{
+  Ids ids;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (!ids.insert({integer(member(items[i], "id"), 0, most_items, "the id of " + what), i}).second)
+      throw Malformed("the id of " + what + " is not unique");
+  return ids;
+}
+
+std::size_t look_up(const Ids& ids, const Json& value, const std::string& what)
+{
+  const auto found = ids.find(integer(value, 0, most_items, what));
+  if (found == ids.end()) throw Malformed(what + " does not exist");
+  return found->second;
+}
+
+// Positions and polylines are there if and only if the surface is embedded.
+
+Node read_node(const Json& json, bool is_embedded)
+{
+  Node node;
+  node.kind = string(member(json, "kind"), "the kind of a node");
+  node.order = integer(member(json, "order"), -3, most_items, "the order of a node");
+  if (is_embedded) node.position = position(member(json, "position"), "the position of a node");
+  return node;
+}
+
+Arc read_arc(const Json& json, const Ids& nodes, bool is_embedded)
+{
+  Arc arc;
+  arc.from = look_up(nodes, member(json, "from"), "the beginning of an arc");
+  arc.to = look_up(nodes, member(json, "to"), "the end of an arc");
+  arc.length = integer(member(json, "length"), -largest_integer, largest_integer, "the length of an arc");
+  if (!is_embedded) return arc;
+  const Json& polyline = array(member(json, "polyline"), "a polyline");
+  if (polyline.size() < 2) throw Malformed("a polyline has no two points");
+  for (const Json& p : polyline) position(p, "a point of a polyline");
+  arc.ends = {position(polyline.front(), "a polyline"), position(polyline.back(), "a polyline")};
+  return arc;
+}
+
+Patch read_patch(const Json& json, const Ids& arcs)
+{
+  Patch patch;
+  patch.width = integer(member(json, "width"), -largest_integer, largest_integer, "the width of a patch");
+  patch.height = integer(member(json, "height"), -largest_integer, largest_integer, "the height of a patch");
+  const Json& sides = array_of_size(member(json, "sides"), 4, "the sides of a patch");
+  for (int i = 0; i < 4; ++i) {
+    if (array(sides[i], "a side of a patch").empty()) throw Malformed("a side of a patch is empty");
+    for (const Json& piece : sides[i]) {
+      const Json& forward = member(piece, "forward");
+      if (!forward.is_boolean()) throw Malformed("\"forward\" is not true or false");
+      patch.sides[i].push_back({look_up(arcs, member(piece, "arc"), "an arc of a patch"), forward.get<bool>()});
+    }
+  }
+  return patch;
+}
+
+Tmesh read_tmesh(const std::string& folder, bool is_embedded)
+{
+  const Json json = read_json(folder, "tmesh.json");
+  Tmesh t;
+  t.grid_exponent = static_cast<int>(integer(member(json, "grid_exponent"), 0, largest_grid_exponent + 1, "grid_exponent"));
+  const std::string surface = string(member(json, "surface"), "surface");
+  if (surface != "input" && surface != "flat_intrinsic")
+    throw Malformed("\"surface\" is neither \"input\" nor \"flat_intrinsic\"");
+  const Json& nodes = array(member(json, "nodes"), "nodes");
+  const Json& arcs = array(member(json, "arcs"), "arcs");
+  const Ids node_ids = read_ids(nodes, "a node"), arc_ids = read_ids(arcs, "an arc");
+  for (const Json& n : nodes) t.nodes.push_back(read_node(n, is_embedded));
+  for (const Json& a : arcs) t.arcs.push_back(read_arc(a, node_ids, is_embedded));
+  const Json& patches = array(member(json, "patches"), "patches");
+  read_ids(patches, "a patch");
+  for (const Json& p : patches) t.patches.push_back(read_patch(p, arc_ids));
+  return t;
+}
+
+std::size_t begin_of(const Tmesh& t, Side_piece s) { return s.forward ? t.arcs[s.arc].from : t.arcs[s.arc].to; }
+std::size_t end_of(const Tmesh& t, Side_piece s)   { return s.forward ? t.arcs[s.arc].to : t.arcs[s.arc].from; }
+
+bool is_rectangle(const Tmesh& t, const Patch& p)
+{
+  for (int i = 0; i < 4; ++i) {
+    Integer length = 0;
+    for (const Side_piece& s : p.sides[i]) length += t.arcs[s.arc].length;
+    if (length != (i % 2 == 0 ? p.width : p.height)) return false;
+  }
+  return p.width > 0 && p.height > 0;
+}
+
+bool closes_up(const Tmesh& t, const Patch& p)
+{
+  std::size_t current = end_of(t, p.sides[3].back());
+  for (const auto& side : p.sides)
+    for (const Side_piece& s : side) {
+      if (begin_of(t, s) != current) return false;
+      current = end_of(t, s);
+    }
+  return true;
+}
+
+void count_uses(Tmesh& t)
+{
+  for (const Patch& p : t.patches)
+    for (const auto& side : p.sides) {
+      ++t.nodes[begin_of(t, side.front())].corners;
+      for (const Side_piece& s : side) ++(s.forward ? t.arcs[s.arc].forward_uses : t.arcs[s.arc].backward_uses);
+    }
+  for (const Arc& a : t.arcs) {
+    ++t.nodes[a.from].arms;
+    ++t.nodes[a.to].arms;
+  }
+}
+
+bool fits_its_kind(const Node& n)
+{
+  if (n.kind == "singularity") return n.arms == n.order + 4 && n.corners == n.order + 4;
+  if (n.kind == "meeting")     return n.arms == 2 && n.corners == 0;
+  if (n.kind == "t_junction")  return n.arms == 3 && n.corners == 2;
+  return n.kind == "crossing" && n.arms == 4 && n.corners == 4;
+}
+
+bool ends_at_its_nodes(const Tmesh& t, const Arc& a, double tolerance)
+{
+  if (!a.ends) return true;
+  const auto near = [&](const Position& p, const Position& q) {
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) <= tolerance;
+  };
+  return near(a.ends->first, *t.nodes[a.from].position) && near(a.ends->second, *t.nodes[a.to].position);
+}
+
+void verify_tmesh(Tmesh t, const Flat_facts& flat, const Report& report, Checks& checks)
+{
+  count_uses(t);
+  const auto all = [](const auto& items, auto holds) { return std::all_of(items.begin(), items.end(), holds); };
+
+  checks.push_back({all(t.patches, [&](const Patch& p) { return is_rectangle(t, p); }),
+                    "tmesh: " + std::to_string(t.patches.size()) + " patches are exact rectangles"});
+  checks.push_back({all(t.patches, [&](const Patch& p) { return closes_up(t, p); }),
+                    "tmesh: the sides of every patch close up"});
+  checks.push_back({all(t.arcs, [](const Arc& a) { return a.forward_uses == 1 && a.backward_uses == 1; }),
+                    "tmesh: every arc is used once forward and once backward"});
+  checks.push_back({all(t.arcs, [](const Arc& a) { return a.length > 0; }), "tmesh: every arc has positive length"});
+
+  const std::int64_t chi = static_cast<std::int64_t>(t.nodes.size()) - static_cast<std::int64_t>(t.arcs.size())
+                         + static_cast<std::int64_t>(t.patches.size());
+  checks.push_back({chi == 2 - 2 * report.genus, "tmesh: V-E+F = " + std::to_string(chi) + " = 2-2g"});
+
+  Integer area = 0;
+  for (const Patch& p : t.patches) area += Integer(p.width) * p.height;
+  checks.push_back({(area << (2 * flat.grid_exponent + 1)) == (flat.doubled_area << (2 * t.grid_exponent)),
+                    "tmesh: patch areas sum exactly to the flat area"});
+
+  std::vector<std::int64_t> orders;
+  double size = 0;
+  for (const Node& n : t.nodes) {
+    if (n.kind == "singularity") orders.push_back(n.order);
+    if (n.position)
+      for (double x : *n.position) size = std::max(size, std::abs(x));
+  }
+  std::sort(orders.begin(), orders.end());
+  checks.push_back({orders == flat.orders, "tmesh: one node for every singularity"});
+  checks.push_back({all(t.nodes, fits_its_kind), "tmesh: arms and patch corners fit the kind of every node"});
+  checks.push_back({all(t.arcs, [&](const Arc& a) { return ends_at_its_nodes(t, a, 1e-9 * size); }),
+                    "tmesh: polylines end at their nodes"});
+}
+
+} // namespace
+
+std::vector<Verification> verify_outputs(const std::string& folder)
+{
+  Checks checks;
+  std::string file;
+  try {
+    file = "report.json";
+    const Report report = read_report(folder);
+    file = "flat_intrinsic.json";
+    const Flat_facts facts = verify_flat(read_flat(folder), report, checks);
+    file = "tmesh.json";
+    if (report.orders.empty() && !std::ifstream(folder + "/" + file))
+      checks.push_back({true, "tmesh: none, there is no singularity"});
+    else
+      verify_tmesh(read_tmesh(folder, facts.is_embedded), facts, report, checks);
+  }
+  catch (const Malformed& e) { checks.push_back({false, file + ": " + e.what()}); }
+  return checks;
+}
+
+} } // namespace CGAL::Quartic_differentials

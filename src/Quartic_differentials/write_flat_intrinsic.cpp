@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/IO/write_checkerboard.h>
+#include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
+#include <CGAL/Quartic_differentials/internal/Text_writer.h>
+
+#include <CGAL/assertions.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+using internal::Text_writer;
+
+// "name":[item(x),...] over a range, one item a line
+template <class Range, class Item>
+void write_array(Text_writer& out, const char* name, const Range& range, Item item)
+{
+  out << ",\n\"" << name << "\":[";
+  const char* separator = "\n";
+  for (const auto x : range) {
+    out << separator;
+    item(x);
+    separator = ",\n";
+  }
+  out << ']';
+}
+
+// Texture vertices: corners that are connected round their vertex by identities share one.
+struct Texture_vertices
+{
+  std::vector<std::size_t> of_corner;   // by halfedge
+  std::vector<Grid_vector> points;
+};
+
+Texture_vertices texture_vertices(const Quartic_differential& q)
+{
+  const Intrinsic_triangulation& t = q.triangulation;
+  const std::size_t none = std::numeric_limits<std::size_t>::max();
+  Texture_vertices result{std::vector<std::size_t>(t.number_of_halfedges(), none), {}};
+  for (Halfedge h : t.halfedges()) {
+    if (result.of_corner[h] != none) continue;
+    Halfedge first = h;   // of its sector: turn clockwise to a change of charts, or once round
+    while (q.transition[first].is_identity()) {
+      first = t.next(t.opposite(first));
+      if (first == h) break;
+    }
+    Halfedge g = first;
+    do {
+      result.of_corner[g] = result.points.size();
+      if (!q.transition[t.prev(g)].is_identity()) break;
+      g = t.next_around_source(g);
+    } while (g != first);
+    result.points.push_back(q.corner[h]);
+  }
+  return result;
+}
+
+} // namespace
+
+void write_flat_intrinsic_json(std::ostream& stream, const Quartic_differential& q)
+{
+  const Intrinsic_triangulation& t = q.triangulation;
+  Text_writer out(stream);
+  out << "{\"grid_exponent\":" << q.grid_exponent;
+  const auto positions = t.is_embedded() ? std::vector<Vertex>(t.vertices().begin(), t.vertices().end())
+                                         : std::vector<Vertex>();
+  write_array(out, "vertices", positions, [&](Vertex v) {
+    const Point_3& p = t.mesh().point(v);
+    out << '[' << p.x() << ',' << p.y() << ',' << p.z() << ']';
+  });
+  write_array(out, "triangles", t.faces(), [&](Face f) {
+    const auto h = t.halfedges(f);
+    out << '[' << t.source(h[0]).idx() << ',' << t.source(h[1]).idx() << ',' << t.source(h[2]).idx() << ']';
+  });
+  write_array(out, "uv", t.faces(), [&](Face f) {
+    const auto h = t.halfedges(f);
+    out << '[';
+    for (int k = 0; k < 3; ++k) out << q.corner[h[k]].x << ',' << q.corner[h[k]].y << (k < 2 ? ',' : ']');
+  });
+  write_array(out, "opposite", t.faces(), [&](Face f) {
+    const auto h = t.halfedges(f);
+    out << '[';
+    for (int k = 0; k < 3; ++k) {
+      const Halfedge o = t.opposite(h[k]);
+      out << '[' << t.face(o).idx() << ',' << t.corner(o) << (k < 2 ? "]," : "]]");
+    }
+  });
+  out << "}\n";
+  out.finish();
+}
+
+void write_flat_intrinsic_obj(const std::string& folder, const Quartic_differential& q)
+{
+  const Intrinsic_triangulation& t = q.triangulation;
+  CGAL_precondition(t.is_embedded());
+  const Texture_vertices texture = texture_vertices(q);
+  internal::write_file(folder + "/flat_intrinsic.obj", [&](std::ostream& stream) {
+    Text_writer out(stream);
+    out << "# texture coordinates are charts of a quartic differential, exact multiples of 2^-" << q.grid_exponent
+        << "\nmtllib flat_intrinsic.mtl\nusemtl checkerboard\n";
+    for (Vertex v : t.vertices()) {
+      const Point_3& p = t.mesh().point(v);
+      out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    }
+    for (Grid_vector z : texture.points)
+      out << "vt " << std::ldexp(static_cast<double>(z.x), -q.grid_exponent) << ' '
+          << std::ldexp(static_cast<double>(z.y), -q.grid_exponent) << '\n';
+    for (Face f : t.faces()) {
+      out << 'f';
+      for (Halfedge h : t.halfedges(f))
+        out << ' ' << t.source(h).idx() + 1 << '/' << texture.of_corner[h] + 1;
+      out << '\n';
+    }
+    out.finish();
+  });
+  write_checkerboard(folder, "flat_intrinsic", q);
+}
+
+} } // namespace CGAL::Quartic_differentials

@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
+#include <CGAL/Quartic_differentials/internal/patch_pieces.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <ostream>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+using internal::Chart_point;
+using internal::Patch_piece;
+
+const char* name(T_mesh::Node_kind kind)
+{
+  switch (kind) {
+    case T_mesh::Node_kind::singularity: return "singularity";
+    case T_mesh::Node_kind::meeting:     return "meeting";
+    case T_mesh::Node_kind::t_junction:  return "t_junction";
+    default:                             return "crossing";
+  }
+}
+
+// the shortest decimal that reads back to the same double
+void write_number(std::ostream& out, double x)
+{
+  char buffer[32];
+  const std::to_chars_result end = std::to_chars(buffer, buffer + sizeof buffer, x);
+  out.write(buffer, end.ptr - buffer);
+}
+
+void write_point(std::ostream& out, const Point_3& p, char separator)
+{
+  write_number(out, p.x());
+  out << separator;
+  write_number(out, p.y());
+  out << separator;
+  write_number(out, p.z());
+}
+
+Point_3 position(const Quartic_differential& q, const T_mesh::Node& node)
+{
+  return internal::position(q, internal::chart_point(q, node.face, node.point));
+}
+
+// from node to node, with a point on every edge and at every vertex between
+std::vector<Point_3> polyline(const T_mesh& t, const Quartic_differential& q, const T_mesh::Arc& arc)
+{
+  std::vector<Point_3> result{position(q, t.nodes[arc.from])};
+  for (std::size_t k = 0; k + 1 < arc.path.size(); ++k)
+    result.push_back(internal::position(q, internal::exit_of(q, arc.path[k])));
+  result.push_back(position(q, t.nodes[arc.to]));
+  return result;
+}
+
+void write_json_point(std::ostream& out, const Point_3& p)
+{
+  out << '[';
+  write_point(out, p, ',');
+  out << ']';
+}
+
+// `comma(k)` stands before element k of a list
+const char* comma(std::size_t k) { return k == 0 ? "" : ","; }
+
+void write_json_nodes(std::ostream& out, const T_mesh& t, const Quartic_differential& q)
+{
+  out << "\"nodes\":[";
+  for (std::size_t n = 0; n < t.nodes.size(); ++n) {
+    const T_mesh::Node& node = t.nodes[n];
+    out << comma(n) << "\n{\"id\":" << n << ",\"kind\":\"" << name(node.kind) << "\",\"order\":" << node.order;
+    if (q.triangulation.is_embedded()) {
+      out << ",\"position\":";
+      write_json_point(out, position(q, node));
+    }
+    out << '}';
+  }
+  out << "\n]";
+}
+
+void write_json_arcs(std::ostream& out, const T_mesh& t, const Quartic_differential& q)
+{
+  out << "\"arcs\":[";
+  for (std::size_t a = 0; a < t.arcs.size(); ++a) {
+    const T_mesh::Arc& arc = t.arcs[a];
+    out << comma(a) << "\n{\"id\":" << a << ",\"from\":" << arc.from << ",\"to\":" << arc.to
+        << ",\"length\":" << arc.length;
+    if (q.triangulation.is_embedded()) {
+      out << ",\"polyline\":[";
+      const std::vector<Point_3> points = polyline(t, q, arc);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        out << comma(k);
+        write_json_point(out, points[k]);
+      }
+      out << ']';
+    }
+    out << '}';
+  }
+  out << "\n]";
+}
+
+void write_json_patches(std::ostream& out, const T_mesh& t)
+{
+  out << "\"patches\":[";
+  for (std::size_t p = 0; p < t.patches.size(); ++p) {
+    const T_mesh::Patch& patch = t.patches[p];
+    out << comma(p) << "\n{\"id\":" << p << ",\"width\":" << patch.width << ",\"height\":" << patch.height
+        << ",\"sides\":[";
+    for (std::size_t side = 0; side < 4; ++side) {
+      out << comma(side) << '[';
+      for (std::size_t k = 0; k < patch.sides[side].size(); ++k) {
+        const T_mesh::Side_piece& piece = patch.sides[side][k];
+        out << comma(k) << "{\"arc\":" << piece.arc << ",\"forward\":" << (piece.forward ? "true" : "false") << '}';
+      }
+      out << ']';
+    }
+    out << "]}";
+  }
+  out << "\n]";
+}
+
+// The polygons and lines of the vtp file.
+class Poly_data
+{
+public:
+  Poly_data(const T_mesh& t, const Quartic_differential& q) : m_q(q), m_unit(std::ldexp(1.0, -t.grid_exponent))
+  {
+    for (const T_mesh::Arc& arc : t.arcs) add_line(polyline(t, q, arc));
+    for (const Patch_piece& piece : internal::patch_pieces(t, q)) add_polygon(piece);
+  }
+
+  void write(std::ostream& out) const
+  {
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
+        << "<Piece NumberOfPoints=\"" << m_points.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << m_lines.size()
+        << "\" NumberOfStrips=\"0\" NumberOfPolys=\"" << m_polygons.size() << "\">\n"
+        << "<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+    for (const Point_3& p : m_points) {
+      write_point(out, p, ' ');
+      out << '\n';
+    }
+    out << "</DataArray>\n</Points>\n<PointData TCoords=\"uv\">\n"
+        << "<DataArray type=\"Float64\" Name=\"uv\" NumberOfComponents=\"2\" format=\"ascii\">\n";
+    for (const auto& [u, v] : m_uv) {
+      write_number(out, u);
+      out << ' ';
+      write_number(out, v);
+      out << '\n';
+    }
+    out << "</DataArray>\n</PointData>\n";
+    write_cell_data(out);
+    write_cells(out, "Lines", m_lines);
+    write_cells(out, "Polys", m_polygons);
+    out << "</Piece>\n</PolyData>\n</VTKFile>\n";
+  }
+
+private:
+  using Cell = std::vector<std::size_t>;
+
+  void add_line(const std::vector<Point_3>& points)
+  {
+    Cell line;
+    for (const Point_3& p : points) line.push_back(add_point(p, 0, 0));
+    m_lines.push_back(std::move(line));
+  }
+
+  void add_polygon(const Patch_piece& piece)
+  {
+    Cell polygon;
+    for (const Chart_point& p : piece.corner) {
+      const auto [u, v] = place_in_patch(piece, p);
+      const auto [it, is_new] = m_shared.try_emplace({piece.patch, u, v}, m_points.size());
+      if (is_new) add_point(internal::position(m_q, p), u * m_unit, v * m_unit);
+      polygon.push_back(it->second);
+    }
+    m_polygons.push_back(std::move(polygon));
+    m_patch.push_back(piece.patch);
+  }
+
+  std::size_t add_point(const Point_3& p, double u, double v)
+  {
+    m_points.push_back(p);
+    m_uv.emplace_back(u, v);
+    return m_points.size() - 1;
+  }
+
+  // in grid units; the same doubles from all faces
+  std::pair<double, double> place_in_patch(const Patch_piece& piece, const Chart_point& p) const
+  {
+    const Intrinsic_triangulation& mesh = m_q.triangulation;
+    const auto corner = [&](Halfedge h) { return piece.to_patch(m_q.corner[h] + m_q.corner[h]); };
+    const auto rounded = [](Grid_vector z) { return std::make_pair(static_cast<double>(z.x), static_cast<double>(z.y)); };
+    if (p.place == Chart_point::Place::interior) return rounded(piece.to_patch(p.z));
+    if (p.place == Chart_point::Place::corner) return rounded(corner(p.halfedge));
+    Grid_vector a = corner(p.halfedge), b = corner(mesh.next(p.halfedge));
+    if (p.halfedge != mesh.halfedge(mesh.edge(p.halfedge))) std::swap(a, b);
+    const std::int64_t n = internal::numerator_along_edge(m_q, p);
+    return {between(a.x, b.x, n, p.denominator), between(a.y, b.y, n, p.denominator)};
+  }
+
+  // a + (b - a) n / d, exact where it is an integer: on the sides of a patch
+  static double between(std::int64_t a, std::int64_t b, std::int64_t n, std::int64_t d)
+  {
+    const __int128 numerator = static_cast<__int128>(b - a) * n;
+    const std::int64_t whole = static_cast<std::int64_t>(numerator / d), rest = static_cast<std::int64_t>(numerator % d);
+    return static_cast<double>(a + whole) + static_cast<double>(rest) / static_cast<double>(d);
+  }
+
+  // Hues one golden ratio apart; lines are black.
+  static std::array<int, 3> colour(std::size_t patch)
+  {
+    const double hue = 6 * std::fmod(0.6180339887498949 * static_cast<double>(patch), 1.0);
+    std::array<int, 3> rgb;
+    for (int k = 0; k < 3; ++k) {
+      const double distance = std::abs(std::remainder(hue - 2 * k, 6.0));   // from this primary, in sixths of the circle
+      rgb[k] = static_cast<int>(255 * (0.45 + 0.5 * std::min(1.0, std::max(0.0, 2 - distance))));
+    }
+    return rgb;
+  }
+
+  void write_cell_data(std::ostream& out) const
+  {
+    out << "<CellData Scalars=\"patch\">\n<DataArray type=\"Int64\" Name=\"patch\" format=\"ascii\">\n";
+    for (std::size_t a = 0; a < m_lines.size(); ++a) out << "-1\n";
+    for (std::size_t patch : m_patch) out << patch << '\n';
+    out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"arc\" format=\"ascii\">\n";
+    for (std::size_t a = 0; a < m_lines.size(); ++a) out << a << '\n';
+    for (std::size_t p = 0; p < m_polygons.size(); ++p) out << "-1\n";
+    out << "</DataArray>\n<DataArray type=\"UInt8\" Name=\"colour\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+    for (std::size_t a = 0; a < m_lines.size(); ++a) out << "0 0 0\n";
+    for (std::size_t patch : m_patch) {
+      const auto [r, g, b] = colour(patch);
+      out << r << ' ' << g << ' ' << b << '\n';
+    }
+    out << "</DataArray>\n</CellData>\n";
+  }
+
+  static void write_cells(std::ostream& out, const char* kind, const std::vector<Cell>& cells)
+  {
+    out << '<' << kind << ">\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
+    for (const Cell& cell : cells)
+      for (std::size_t k = 0; k < cell.size(); ++k) out << cell[k] << (k + 1 < cell.size() ? ' ' : '\n');
+    out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+    std::size_t offset = 0;
+    for (const Cell& cell : cells) out << (offset += cell.size()) << '\n';
+    out << "</DataArray>\n</" << kind << ">\n";
+  }
+
+  const Quartic_differential&            m_q;
+  double                                 m_unit;
+  std::vector<Point_3>                   m_points;
+  std::vector<std::pair<double, double>> m_uv;
+  std::vector<Cell>                      m_lines, m_polygons;
+  std::vector<std::size_t>               m_patch;    // by polygon
+  std::map<std::tuple<std::size_t, double, double>, std::size_t> m_shared;   // point by patch, u, v
+};
+
+} // namespace
+
+void write_t_mesh_json(std::ostream& out, const T_mesh& t, const Quartic_differential& q)
+{
+  out << "{\"grid_exponent\":" << t.grid_exponent << ",\n\"surface\":\"flat_intrinsic\",\n";
+  write_json_nodes(out, t, q);
+  out << ",\n";
+  write_json_arcs(out, t, q);
+  out << ",\n";
+  write_json_patches(out, t);
+  out << "\n}\n";
+}
+
+void write_t_mesh_vtp(std::ostream& out, const T_mesh& t, const Quartic_differential& q)
+{
+  CGAL_precondition(q.triangulation.is_embedded());
+  Poly_data(t, q).write(out);
+}
+
+} } // namespace CGAL::Quartic_differentials

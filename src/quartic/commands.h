@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef QUARTIC_COMMANDS_H
+#define QUARTIC_COMMANDS_H
+
+namespace CLI { class App; }
+
+// Each adds its subcommand, which runs while the command line is parsed and reports failure by an exception of
+// CGAL/Quartic_differentials/exceptions.h; main() turns that into the exit status.
+
+void add_run(CLI::App& app);
+void add_info(CLI::App& app);
+void add_sample(CLI::App& app);
+void add_verify(CLI::App& app);
+
+#endif // QUARTIC_COMMANDS_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+
+#include <CGAL/Quartic_differentials/exceptions.h>
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace QD = CGAL::Quartic_differentials;
+
+namespace {
+
+enum Exit_status { done = 0, usage = 1, unusable_input = 2, numerical_failure = 3 };
+
+int failed(const std::exception& e, Exit_status status)
+{
+  std::cerr << "quartic: " << e.what() << std::endl;
+  return status;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app{
+    "Finds singularities on a closed surface at which it can be cut into rectangles: it computes a flat metric\n"
+    "with cone angles that are multiples of 90 degrees, conformal to the surface, the meromorphic quartic\n"
+    "differential that goes with it, and the T-mesh of its critical trajectories.\n\n"
+    "A first try:\n"
+    "  quartic sample chain --genus 2 -o surface.off     make a surface with two handles\n"
+    "  quartic run surface.off -o results                run everything on it\n", "quartic"};
+  app.set_version_flag("--version", "quartic " QUARTIC_VERSION);
+  app.require_subcommand(1);
+  app.footer("'quartic COMMAND --help' explains a command.\n"
+             "Exit status: 0 done; 1 wrong usage; 2 the input or the singularities cannot be used;\n"
+             "3 a computation did not reach its tolerance.");
+  add_run(app);
+  add_info(app);
+  add_sample(app);
+  add_verify(app);
+
+  try {
+    app.parse(argc, argv);
+    return done;
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? done : usage;
+  } catch (const QD::Unusable_surface_error& e) {
+    return failed(e, unusable_input);
+  } catch (const QD::Infeasible_divisor_error& e) {
+    return failed(e, unusable_input);
+  } catch (const QD::Numerical_error& e) {
+    return failed(e, numerical_failure);
+  } catch (const QD::Error& e) {          // a file that cannot be written
+    return failed(e, usage);
+  } catch (const std::exception& e) {     // out of memory, or an error in the program
+    return failed(e, numerical_failure);
+  }
+}

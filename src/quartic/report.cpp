@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report.h"
+
+#include <CGAL/Quartic_differentials/Common_refinement.h>
+#include <CGAL/Quartic_differentials/laplacian.h>
+#include <CGAL/version.h>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <ostream>
+#include <sstream>
+
+using namespace CGAL::Quartic_differentials;
+
+namespace {
+
+Json rounded_integers(const Eigen::MatrixXi& m)
+{
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < m.rows(); ++i) rows.push_back(std::vector<int>(m.row(i).begin(), m.row(i).end()));
+  return rows;
+}
+
+Json reals(const Eigen::MatrixXd& m)
+{
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < m.rows(); ++i) rows.push_back(std::vector<double>(m.row(i).begin(), m.row(i).end()));
+  return rows;
+}
+
+Json point(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
+
+Json input_report(const Run_facts& facts)
+{
+  const Intrinsic_triangulation& t = *facts.input;
+  return {{"mesh", facts.mesh}, {"vertices", t.number_of_vertices()}, {"edges", t.number_of_edges()},
+          {"faces", t.number_of_faces()}, {"genus", t.genus()}, {"boundary", 0}, {"area", t.area()},
+          {"embedded", t.is_embedded()}, {"notes", facts.notes}};
+}
+
+Json versions()
+{
+  return {{"quartic", QUARTIC_VERSION}, {"cgal", CGAL_VERSION_STR},
+          {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "."
+                    + std::to_string(EIGEN_MINOR_VERSION)},
+          {"factorisation", Symmetric_factorization::name()}, {"compiler", __VERSION__}};
+}
+
+std::size_t peak_memory_bytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+std::string loop_name(int k, int genus) { return (k < genus ? "a" : "b") + std::to_string(k % genus + 1); }
+
+Json holonomy_of(const std::string& loop, double radians)
+{
+  const double degrees = radians * 180 / CGAL_PI;
+  const double multiple = std::round(degrees / 90);
+  return {{"loop", loop}, {"degrees", degrees}, {"multiple_of_90", static_cast<long>(multiple)},
+          {"error_degrees", quarter_turn_defect(radians) * 180 / CGAL_PI}};
+}
+
+// the paper's table 2: the rotation along every basis loop and round every singularity
+Json holonomy_report(const Exact_cone_metric& m)
+{
+  Json table = Json::array();
+  const int n = static_cast<int>(m.turning.size());
+  for (int k = 0; k < n; ++k)
+    table.push_back(holonomy_of(loop_name(k, n / 2), std::remainder(m.turning[k], 2 * CGAL_PI)));
+  const std::vector<double> curvature = curvatures(m.metric.triangulation, m.metric.angles);
+  for (std::size_t i = 0; i < m.metric.cones.size(); ++i)
+    table.push_back(holonomy_of("singularity " + std::to_string(i + 1), 2 * CGAL_PI - curvature[m.metric.cones[i]]));
+  return table;
+}
+
+Json abel_jacobi_report(const Quartic_differential_result& r)
+{
+  Json image = Json::array();
+  for (Eigen::Index k = 0; k < r.image->image.size(); ++k)
+    image.push_back({{"re", r.image->image[k].real()}, {"im", r.image->image[k].imag()}});
+  return {{"integers", {{"s", r.image->s}, {"t", r.image->t}}}, {"residual", r.legal->history.back()},
+          {"iterations", r.legal->history.size() - 1}, {"history", r.legal->history},
+          {"lattice_vectors_tried", r.legal->tried}, {"closest_vector_certified", r.legal->certified}, {"image", image}};
+}
+
+Json singularities_report(const Run_facts& facts, const Quartic_differential_result& r)
+{
+  Json list = Json::array();
+  for (std::size_t i = 0; i < r.singularities.size(); ++i) {
+    const Singularity& s = r.singularities[i];
+    Json entry = {{"order", s.order}, {"valence", s.order + 4}, {"pinned", s.pinned}};
+    if (facts.input->is_embedded()) entry["position"] = point(position_on_input(*facts.input, s.location));
+    entry["moved_by"] = r.legal->moved_by[i] + r.metric->moved_by[i];
+    list.push_back(entry);
+  }
+  return list;
+}
+
+Json flow_report(const Exact_cone_metric& m)
+{
+  return {{"newton_iterations", m.first_flow.newton_iterations}, {"flips", m.first_flow.flips},
+          {"max_curvature_error", m.metric.flow.max_curvature_error}, {"tolerance", m.metric.flow.tolerance},
+          {"history", m.first_flow.history}, {"holonomy_iterations", m.history.size() - 1},
+          {"holonomy_history", m.history}};
+}
+
+Json t_mesh_report(const T_mesh& t)
+{
+  std::map<T_mesh::Node_kind, int> count;
+  for (const T_mesh::Node& n : t.nodes) ++count[n.kind];
+  return {{"grid_exponent", t.grid_exponent}, {"nodes", t.nodes.size()}, {"arcs", t.arcs.size()},
+          {"patches", t.patches.size()}, {"singularities", count[T_mesh::Node_kind::singularity]},
+          {"t_junctions", count[T_mesh::Node_kind::t_junction]}, {"crossings", count[T_mesh::Node_kind::crossing]},
+          {"meetings", count[T_mesh::Node_kind::meeting]}};
+}
+
+// The value below which the given share of the weight lies.
+double quantile(std::vector<std::pair<double, double>> value_and_weight, double share)
+{
+  std::sort(value_and_weight.begin(), value_and_weight.end());
+  double total = 0, sum = 0;
+  for (const auto& [value, weight] : value_and_weight) total += weight;
+  for (const auto& [value, weight] : value_and_weight)
+    if ((sum += weight) >= share * total) return value;
+  return value_and_weight.back().first;
+}
+
+// sigma_1 / sigma_2 of the map of a triangle to the plane, given both sets of lengths
+double conformal_distortion(const std::array<double, 3>& l, const std::array<double, 3>& flat)
+{
+  // x = (sigma_1^2 + sigma_2^2) / (2 sigma_1 sigma_2) = Sum_k cot_k flat_k^2 / (2 flat area), cot_k = (b^2+c^2-a^2) / (4 area)
+  double energy = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double a = l[k], b = l[(k + 1) % 3], c = l[(k + 2) % 3];
+    energy += (b * b + c * c - a * a) * flat[k] * flat[k];
+  }
+  const double x = std::max(1.0, 2 * energy / (four_times_area(l[0], l[1], l[2]) * four_times_area(flat[0], flat[1], flat[2])));
+  return x + std::sqrt(x * x - 1);
+}
+
+// Area scale e^2u over the input's vertices; conformal distortion over the faces that no flip has changed.
+Json quality_report(const Run_facts& facts, const Quartic_differential_result& r)
+{
+  const Intrinsic_triangulation& before = r.surface->delaunay;
+  const Cone_metric& m = r.metric->metric;
+  const std::vector<double> areas = vertex_areas(*facts.input);
+  std::vector<std::pair<double, double>> scale;
+  for (Vertex v : facts.input->vertices()) scale.emplace_back(std::exp(2 * m.u[v]), areas[v]);
+
+  std::vector<std::pair<double, double>> distortion;
+  double unflipped = 0, mean = 0;
+  for (Face f : before.faces()) {
+    const auto h = before.halfedges(f), k = m.triangulation.halfedges(f);
+    if (std::find(k.begin(), k.end(), h[0]) == k.end()) continue;
+    std::array<double, 3> l, flat;
+    bool same = true;
+    for (int c = 0; c < 3; ++c) {
+      same = same && m.triangulation.face(h[c]) == f && m.triangulation.source(h[c]) == before.source(h[c]);
+      l[c] = before.length(h[c]);
+      flat[c] = m.lengths[m.triangulation.edge(h[c])];
+    }
+    if (!same) continue;
+    const double area = four_times_area(l[0], l[1], l[2]) / 4;
+    distortion.emplace_back(conformal_distortion(l, flat), area);
+    unflipped += area;
+    mean += distortion.back().first * area;
+  }
+  Json quality = {{"area_scale_99_to_1_percent", quantile(scale, 0.99) / quantile(scale, 0.01)}};
+  if (!distortion.empty())
+    quality["conformal_distortion"] = {{"mean", mean / unflipped}, {"95_percent", quantile(distortion, 0.95)},
+                                       {"max", std::max_element(distortion.begin(), distortion.end())->first},
+                                       {"share_of_area", unflipped / before.area()}};
+  return quality;
+}
+
+// the paper's table 1
+Json timings_report(const Run_facts& facts, const Quartic_differential_result& r)
+{
+  Json seconds;
+  for (const char* key : {"read", "homology", "holomorphic_forms", "period_matrix", "abel_jacobi", "legalization",
+                          "cone_metric", "holonomy", "immersion", "refinement", "t_mesh", "quad_mesh", "write"})
+    seconds[key] = 0.0;
+  double total = 0;
+  for (const auto* timings : {&facts.timings, &r.timings})
+    for (const auto& [key, s] : *timings) {
+      seconds[key] = seconds[key].get<double>() + s;
+      total += s;
+    }
+  seconds["total"] = total;
+  return seconds;
+}
+
+} // namespace
+
+Json surface_report(const Run_facts& facts, const Riemann_surface* s)
+{
+  Json report = {{"input", input_report(facts)}};
+  if (s == nullptr) return report;
+  Json zeros = Json::array();
+  for (const Holomorphic_zero& z : s->zeros) {
+    Json zero = {{"order", z.order}};
+    if (facts.input->is_embedded())
+      zero["position"] = point(position_on_input(*facts.input, s->refinement->to_input(z.location)));
+    zeros.push_back(zero);
+  }
+  report["homology"] = {{"intersection_matrix", rounded_integers(s->homology.intersection_matrix)},
+                        {"delaunay_flips", s->flips}};
+  report["holomorphic_forms"] = {{"residual", s->forms.residual}, {"zeros", zeros}};
+  report["period_matrix"] = {{"re", reals(s->periods.pi.real())}, {"im", reals(s->periods.pi.imag())},
+                             {"star_defect", s->periods.star_defect},
+                             {"dirichlet_lower", reals(s->periods.lower)}, {"dirichlet_upper", reals(s->periods.upper)}};
+  return report;
+}
+
+Json run_report(const Run_facts& facts, const Quartic_differential_result& r)
+{
+  Json report = {{"status", facts.failure.empty() ? "done" : "failed"}};
+  if (!facts.failure.empty()) report["failure"] = facts.failure;
+  report.update(surface_report(facts, r.surface ? &*r.surface : nullptr));
+  if (r.image) report["abel_jacobi"] = abel_jacobi_report(r);
+  if (r.metric) {
+    report["singularities"] = singularities_report(facts, r);
+    report["flow"] = flow_report(*r.metric);
+    report["holonomy"] = holonomy_report(*r.metric);
+    report["max_holonomy_error_radians"] = std::max(r.metric->max_holonomy_error, r.metric->max_transition_error);
+    report["quality"] = quality_report(facts, r);
+  }
+  if (r.immersion.grid_exponent != 0) {
+    report["immersion"] = {{"grid_exponent", r.immersion.grid_exponent},
+                           {"surface_units_per_unit", r.differential ? r.differential->surface_units_per_unit : 0},
+                           {"flips", r.immersion.flipped_triangles}, {"min_altitude", r.immersion.min_altitude},
+                           {"cut_edges", r.immersion.cut_edges}, {"segments", r.immersion.segments},
+                           {"rotation_error_radians", r.immersion.rotation_error},
+                           {"largest_move", r.immersion.largest_move},
+                           {"surface", "flat_intrinsic.obj draws the flat triangulation straight between the vertices: "
+                                       "an approximation of the input surface"}};
+  }
+  if (r.t_mesh) report["tmesh"] = t_mesh_report(*r.t_mesh);
+
+  report["timings"] = timings_report(facts, r);
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  report["versions"] = versions();
+  return report;
+}

@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+
+#include <CGAL/Quartic_differentials/IO/surface_json.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/sample_surfaces.h>
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+using namespace CGAL::Quartic_differentials;
+
+namespace {
+
+struct Sample_options
+{
+  std::string kind, file;
+  int         genus = 2, resolution = 0, subdivisions = -1;   // out of range: the default of the kind
+  double      R = 2, r = 1;
+};
+
+void say(const Sample_options& options, const Intrinsic_triangulation& t)
+{
+  std::cout << options.file << ": genus " << t.genus() << ", " << t.number_of_vertices() << " vertices, "
+            << t.number_of_faces() << " faces\n";
+}
+
+void write_glued(const Sample_options& options)
+{
+  const Glued_triangles surface = hyperelliptic(options.genus, options.subdivisions < 0 ? 3 : options.subdivisions);
+  std::ofstream out(options.file);
+  write_surface_json(out, surface);
+  out.close();
+  if (!out) throw Error(options.file + " cannot be written");
+  say(options, Intrinsic_triangulation(surface));
+}
+
+Mesh embedded(const Sample_options& options)
+{
+  const auto resolution = [&](int otherwise) { return options.resolution > 0 ? options.resolution : otherwise; };
+  if (options.kind == "sphere") return bumpy_sphere(options.subdivisions < 0 ? 4 : options.subdivisions);
+  Mesh mesh;
+  if (options.kind == "torus") {
+    const int n = resolution(60), m = static_cast<int>(std::lround(n * options.r / options.R));
+    mesh = torus(options.R, options.r, n, std::max(m, 3));
+  } else {
+    mesh = options.kind == "chain" ? handle_chain(options.genus, resolution(8)) : handle_ring(options.genus, resolution(8));
+  }
+  for (int i = 0; i < options.subdivisions; ++i) mesh = subdivided(mesh);
+  return mesh;
+}
+
+void write_embedded(const Sample_options& options)
+{
+  Mesh mesh = embedded(options);
+  if (!CGAL::IO::write_polygon_mesh(options.file, mesh, CGAL::parameters::stream_precision(12).verbose(false)))
+    throw Error(options.file + " cannot be written: its name should end in .off, .obj, .ply or .stl, in a folder that exists");
+  say(options, Intrinsic_triangulation(std::move(mesh)));
+}
+
+void check_usage(const Sample_options& options)
+{
+  const bool json = CGAL::IO::internal::get_file_extension(options.file) == "json";
+  if (options.kind == "hyperelliptic") {
+    if (options.genus < 1) throw Error("a hyperelliptic surface has at least genus 1");
+    if (!json) throw Error("a hyperelliptic surface is known by its edge lengths only: name a .json file");
+  } else if (json) {
+    throw Error("surfaces in space are written as .off, .obj, .ply or .stl");
+  }
+  if (options.kind == "torus" && !(options.r < options.R)) throw Error("a torus needs -r smaller than -R");
+}
+
+void sample(const Sample_options& options)
+{
+  check_usage(options);
+  if (options.kind == "hyperelliptic") write_glued(options);
+  else write_embedded(options);
+}
+
+} // namespace
+
+void add_sample(CLI::App& app)
+{
+  auto options = std::make_shared<Sample_options>();
+  CLI::App* command = app.add_subcommand("sample", "Make a closed surface to try things on");
+  command->add_option("KIND", options->kind,
+    "sphere          a sphere with bumps (genus 0)\n"
+    "torus           the torus of revolution (genus 1)\n"
+    "chain           a bent plate with holes in a row (any genus)\n"
+    "ring            a bent disk with holes on a circle (any genus)\n"
+    "hyperelliptic   the curve y^2 = x^(2g+2) - 1, glued from four regular polygons (any genus >= 1)")
+    ->required()->check(CLI::IsMember({"sphere", "torus", "chain", "ring", "hyperelliptic"}));
+  command->add_option("-o,--output", options->file,
+                      "File to write: .off, .obj, .ply, .stl; .json for hyperelliptic")->required();
+  command->add_option("-g,--genus", options->genus, "Number of holes of chain, ring, hyperelliptic (2)")
+         ->check(CLI::Range(0, 50));
+  command->add_option("-n,--resolution", options->resolution,
+                      "Edges across the strip between two holes of chain and ring (8); edges round the axis of torus (60)")
+         ->check(CLI::Range(6, 1000));
+  command->add_option("-s,--subdivisions", options->subdivisions,
+                      "How often each triangle is split into four (sphere 4, hyperelliptic 3, otherwise 0)")
+         ->check(CLI::Range(0, 8));
+  command->add_option("-R", options->R, "Radius of the torus (2)")->check(CLI::PositiveNumber);
+  command->add_option("-r", options->r, "Radius of the circle that makes the torus (1)")->check(CLI::PositiveNumber);
+  command->callback([options] { sample(*options); });
+}

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "report.h"
+
+#include <map>
+#include <ostream>
+#include <sstream>
+
+namespace {
+
+std::string number(double x, int digits = 3)
+{
+  std::ostringstream out;
+  out.precision(digits);
+  out << x;
+  return out.str();
+}
+
+// "12 of valence 3, 20 of valence 5"
+std::string valences(const Json& singularities)
+{
+  std::map<int, int> count;
+  for (const Json& s : singularities) ++count[s["valence"].get<int>()];
+  std::string text;
+  for (const auto& [valence, n] : count)
+    text += (text.empty() ? "" : ", ") + std::to_string(n) + " of valence " + std::to_string(valence);
+  return text.empty() ? "none" : text;
+}
+
+void row(std::ostream& out, const std::string& what, const std::string& value)
+{
+  out << "  " << what << std::string(what.size() < 18 ? 18 - what.size() : 1, ' ') << value << '\n';
+}
+
+} // namespace
+
+void print_summary(std::ostream& out, const Json& report)
+{
+  const Json& input = report["input"];
+  row(out, "surface", "genus " + std::to_string(input["genus"].get<int>()) + ", "
+      + std::to_string(input["vertices"].get<std::size_t>()) + " vertices, "
+      + std::to_string(input["faces"].get<std::size_t>()) + " faces");
+  for (const Json& note : input["notes"]) row(out, "note", note.get<std::string>());
+  if (report.contains("period_matrix") && input["genus"] > 0)
+    row(out, "period matrix", "symmetric, discretisation indicator " + number(report["period_matrix"]["star_defect"]));
+  if (report.contains("abel_jacobi"))
+    row(out, "Abel-Jacobi", "residual " + number(report["abel_jacobi"]["residual"]) + " rad after "
+        + std::to_string(report["abel_jacobi"]["iterations"].get<int>()) + " Gauss-Newton steps");
+  if (report.contains("singularities"))
+    row(out, "singularities", std::to_string(report["singularities"].size()) + ": " + valences(report["singularities"]));
+  if (report.contains("flow")) {
+    row(out, "flat metric", "curvature error " + number(report["flow"]["max_curvature_error"]) + " rad, "
+        + std::to_string(report["flow"]["newton_iterations"].get<int>()) + " Newton steps; area scale varies by a factor of "
+        + number(report["quality"]["area_scale_99_to_1_percent"]));
+    row(out, "holonomy", "multiples of 90 degrees up to " + number(report["max_holonomy_error_radians"]) + " rad");
+  }
+  if (report.contains("immersion") && report["immersion"]["flips"] == 0)
+    row(out, "charts", "exact on a grid of 2^-" + std::to_string(report["immersion"]["grid_exponent"].get<int>())
+        + ", no triangle flipped");
+  if (report.contains("tmesh"))
+    row(out, "T-mesh", std::to_string(report["tmesh"]["patches"].get<std::size_t>()) + " rectangles, "
+        + std::to_string(report["tmesh"]["t_junctions"].get<int>()) + " T-junctions");
+  row(out, "time", number(report["timings"]["total"]) + " s, "
+      + number(report["peak_memory_bytes"].get<double>() / (1 << 20)) + " MiB");
+}

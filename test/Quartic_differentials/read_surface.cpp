@@ -1,0 +1,273 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Every format is read, every refusal names its reason and its place, and no broken file crashes the reader.
+
+#include "check.h"
+
+#include <CGAL/Quartic_differentials/IO/read_surface.h>
+#include <CGAL/Quartic_differentials/IO/surface_json.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/sample_surfaces.h>
+
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+using namespace CGAL::Quartic_differentials;
+namespace fs = std::filesystem;
+
+struct Temporary_folder
+{
+  fs::path path;
+  Temporary_folder() : path(fs::temp_directory_path() / ("read_surface_" + std::to_string(std::random_device{}())))
+  {
+    fs::create_directories(path);
+  }
+  ~Temporary_folder() { fs::remove_all(path); }
+};
+
+const Temporary_folder folder;
+
+std::string written(const std::string& name, const std::string& contents)
+{
+  const std::string path = (folder.path / name).string();
+  fs::remove(path);     // some file systems wait for the disk when a file is overwritten
+  std::ofstream(path, std::ios::binary) << contents;
+  return path;
+}
+
+Intrinsic_triangulation read(const std::string& name, const std::string& contents)
+{
+  std::vector<std::string> notes;
+  return read_surface(written(name, contents), notes);
+}
+
+std::string notes_of(const std::string& name, const std::string& contents)
+{
+  std::vector<std::string> notes;
+  read_surface(written(name, contents), notes);
+  std::string all;
+  for (const std::string& n : notes) all += n + "\n";
+  return all;
+}
+
+#define CHECK_REFUSED(name, contents, part) CHECK_THROWS(read(name, contents), Unusable_surface_error, part)
+
+const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string tetrahedron = "OFF\n4 4 0\n" + vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+const std::string cube =
+  "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+  "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+
+std::string replaced(std::string text, const std::string& what, const std::string& by)
+{
+  const std::size_t at = text.find(what);
+  CHECK(at != std::string::npos);
+  return text.replace(at, what.size(), by);
+}
+
+std::string with_windows_line_ends(const std::string& text)
+{
+  std::string result;
+  for (char c : text) result += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  return result;
+}
+
+void check_sphere(const Intrinsic_triangulation& t, std::size_t v, std::size_t f)
+{
+  CHECK_EQUAL(structural_defect(t), "");
+  CHECK_EQUAL(t.genus(), 0);
+  CHECK_EQUAL(t.number_of_vertices(), v);
+  CHECK_EQUAL(t.number_of_faces(), f);
+}
+
+void check_off()
+{
+  check_sphere(read("t.off", tetrahedron), 4, 4);
+  CHECK_EQUAL(notes_of("t.off", tetrahedron), "");
+  check_sphere(read("T.OFF", with_windows_line_ends(tetrahedron)), 4, 4);
+  check_sphere(read("t.off", replaced(tetrahedron, "4 4 0\n", "# a comment\n\n4 4 0 # sizes\n")), 4, 4);
+  check_sphere(read("t.off", replaced(tetrahedron, "OFF\n4 4 0", "OFF 4 4 0")), 4, 4);
+  check_sphere(read("t.off", replaced(tetrahedron, "OFF\n", "COFF\n")), 4, 4);
+  check_sphere(read("c.off", cube), 8, 12);
+  CHECK(notes_of("c.off", cube).find("6 faces with more than three corners were triangulated") == 0);
+  const std::string inside_out = "OFF\n4 4 0\n" + vertices + "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 0 2 3\n";
+  CHECK(notes_of("i.off", inside_out).find("inside-out") != std::string::npos);
+
+  const std::string unused = "OFF\n6 4 0\n9 9 9\n0 0 0\n1 0 0\n8 8 8\n0 1 0\n0 0 1\n3 1 4 2\n3 1 2 5\n3 2 4 5\n3 1 5 4\n";
+  const Intrinsic_triangulation t = read("u.off", unused);
+  check_sphere(t, 4, 4);
+  CHECK(t.mesh().point(Vertex(2)) == Point_3(0, 1, 0));
+  CHECK(notes_of("u.off", unused).find("2 vertices belonged to no face") == 0);
+
+  const std::string soup = "OFF\n12 4 0\n0 0 0\n0 1 0\n1 0 0\n0 0 0\n1 0 0\n0 0 1\n1 0 0\n0 1 0\n0 0 1\n0 0 0\n0 0 1\n0 1 0\n"
+                           "3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n";
+  check_sphere(read("s.off", soup), 4, 4);
+  CHECK(notes_of("s.off", soup).find("8 vertices had the same coordinates") == 0);
+
+  // two closed tetrahedra that touch at a point, but not in their indices, stay two
+  CHECK_REFUSED("touching.off", "OFF\n8 8 0\n" + vertices + "0 0 0\n-1 0 0\n0 -1 0\n0 0 -1\n"
+    "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 4 5 6\n3 4 7 5\n3 5 7 6\n3 4 6 7\n",
+    "the surface has 2 components: vertex 4 at (0, 0, 0)");
+}
+
+void check_other_formats()
+{
+  check_sphere(read("t.obj", "# c\nmtllib x.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\n"
+                             "f 1/1 3/1 2/1\nf 1 2 4\nf -3 -2 -1\nf 1//1 4//1 3//1\n"), 4, 4);
+  const std::string ply_header = "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\nproperty float x\nproperty float y\n"
+                                 "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::string ply = ply_header + vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  check_sphere(read("t.ply", ply), 4, 4);
+  check_sphere(read("t.ply", replaced(ply, "uchar", "int")), 4, 4);
+  check_sphere(read("t.ply", with_windows_line_ends(ply)), 4, 4);
+  CHECK_REFUSED("t.ply", replaced(replaced(ply, "uchar", "int"), "3 0 2 1", "2000000000 0 2 1"), "cut off");
+  CHECK_REFUSED("t.ply", replaced(ply, "property float x", "property int x"), "no x of floating point type");
+  CHECK_REFUSED("t.ply", replaced(ply, "property float x", "property quad x"), "unknown type 'quad'");
+  CHECK_REFUSED("t.ply", replaced(ply, "element face 4", "element nothing 1000000000000\nelement face 4"), "no property");
+  CHECK_REFUSED("t.ply", replaced(ply, "element vertex 4", "element vertex 1000000000000"), "cut off");
+  CHECK_REFUSED("t.ply", replaced(ply, "end_header", "end_head"), "header does not end");
+  CHECK_REFUSED("t.ply", replaced(ply, "1 0 0", "1 nan 0"), "holds a number that is not finite");
+  CHECK_REFUSED("t.ply", tetrahedron, "does not begin with 'ply'");
+  CHECK_REFUSED("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n",
+                "refers to a vertex that does not exist: reading it ended at or after face 0");
+  CHECK_REFUSED("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "face 0 refers to a vertex that does not exist");
+  CHECK_REFUSED("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", "face 0 has fewer than three corners");
+  CHECK_REFUSED("t.obj", "v 0 0 0\nv 1 0\n", "not a mesh in obj format");
+
+  // every format that CGAL writes, text and binary
+  const Mesh torus_mesh = torus(2, 1, 12, 6);
+  for (const char* name : {"w.off", "w.obj", "w.ply", "w.stl"})
+    for (bool binary : {false, true}) {
+      const std::string path = (folder.path / name).string();
+      CHECK(CGAL::IO::write_polygon_mesh(path, torus_mesh,
+                                         CGAL::parameters::stream_precision(17).use_binary_mode(binary)));
+      std::vector<std::string> notes;
+      const Intrinsic_triangulation t = read_surface(path, notes);
+      CHECK_EQUAL(t.genus(), 1);
+      CHECK_EQUAL(t.number_of_vertices(), 72u);
+      CHECK_EQUAL(t.number_of_faces(), 144u);
+    }
+  std::string stl = written("n.stl", "");
+  CHECK(CGAL::IO::write_polygon_mesh(stl, torus_mesh, CGAL::parameters::use_binary_mode(true)));
+  std::ifstream in(stl, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  in.close();
+  for (int i = 0; i < 4; ++i) bytes[84 + 50 * 3 + 12 + i] = '\xff';
+  CHECK_REFUSED("n.stl", bytes, "face 3 has a coordinate that is not a finite number");
+  bytes.resize(bytes.size() - 10);
+  CHECK_REFUSED("n.stl", bytes, "not a mesh in stl format");
+}
+
+void check_json()
+{
+  std::ostringstream out;
+  write_surface_json(out, hyperelliptic(2, 1));
+  const Intrinsic_triangulation t = read("h.json", out.str());
+  CHECK_EQUAL(t.genus(), 2);
+  CHECK(!t.is_embedded());
+  CHECK(t.lengths() == Intrinsic_triangulation(hyperelliptic(2, 1)).lengths());
+
+  // a sphere of two triangles glued along their borders
+  const std::string good = R"({"triangles":[[0,1,2],[0,2,1]],"opposite":[[[1,2],[1,1],[1,0]],[[0,2],[0,1],[0,0]]],)"
+                           R"("lengths":[[1,1,1],[1,1,1]]})";
+  check_sphere(read("g.json", good), 3, 2);
+  CHECK_REFUSED("b.json", good.substr(0, 40), "not JSON");
+  CHECK_REFUSED("b.json", "[1,2]", "not an object");
+  CHECK_REFUSED("b.json", "{}", "no list 'triangles'");
+  CHECK_REFUSED("b.json", replaced(good, "[0,1,2]", "[0,1]"), "triangles[0] is not a list of 3");
+  CHECK_REFUSED("b.json", replaced(good, "[0,1,2]", "[0,1,2000000000]"), "not an index below 6");
+  CHECK_REFUSED("b.json", replaced(good, "[0,1,2]", "[0,1,-2]"), "not an index");
+  CHECK_REFUSED("b.json", replaced(good, "[0,1,2]", "[0,1,1.5]"), "not an index");
+  CHECK_REFUSED("b.json", replaced(good, "[1,1,1]]", "[1,1,\"x\"]]"), "lengths[1] holds \"x\"");
+  CHECK_REFUSED("b.json", replaced(good, "[[1,1,1]", "[[1,1,5]"), "another length");
+  CHECK_REFUSED("b.json", replaced(good, "[[1,2]", "[[1,1]"), "not glued to exactly one other edge");
+  CHECK_REFUSED("two.json", R"({"triangles":[[0,1,2],[0,2,1],[3,4,5],[3,5,4]],"opposite":[[[1,2],[1,1],[1,0]],)"
+    R"([[0,2],[0,1],[0,0]],[[3,2],[3,1],[3,0]],[[2,2],[2,1],[2,0]]],"lengths":[[1,1,1],[1,1,1],[1,1,1],[1,1,1]]})",
+    "the surface has 2 components: vertex 3");
+}
+
+void check_refusals()
+{
+  std::vector<std::string> notes;
+  CHECK_THROWS(read_surface((folder.path / "missing.off").string(), notes), Unusable_surface_error, "does not exist");
+  CHECK_THROWS(read_surface(folder.path.string(), notes), Unusable_surface_error, "not a regular file");
+  CHECK_REFUSED("e.off", "", "the file is empty");
+  CHECK_REFUSED("t.xyz", tetrahedron, "the extension '.xyz' is not one of .off, .obj, .ply, .stl, .json");
+  CHECK_REFUSED("t.off", "this is not a mesh\n", "not a mesh in off format");
+  CHECK_REFUSED("t.off", "OFF\n0 0 0\n", "the surface has no face");
+  CHECK_REFUSED("t.off", tetrahedron.substr(0, tetrahedron.size() - 10), "cut off");
+  CHECK_REFUSED("t.off", replaced(tetrahedron, "3 0 2 1", "3 0 2 7"), "vertex that does not exist: reading it ended at or after face 0");
+  CHECK_REFUSED("t.off", replaced(tetrahedron, "4 4 0", "1000000000 4 0"), "announces more than it holds");
+  CHECK_REFUSED("t.off", replaced(tetrahedron, "4 4 0", "4 1000000000 0"), "announces more than it holds");
+  CHECK_REFUSED("t.off", replaced(tetrahedron, "3 0 2 1", "2000000000 0 2 1"), "announces more than it holds");
+  CHECK_REFUSED("t.off", replaced(tetrahedron, "1 0 0", "1 nan 0"), "line 4 holds a number that is not finite");
+  CHECK_REFUSED("t.off", replaced(tetrahedron, "1 0 0", "1 1e999 0"), "line 4 holds a number that is not finite");
+  CHECK_REFUSED("t.off", replaced(tetrahedron, "0 1 0", "0.5 0 0"), "face 0 at (0, 0, 0) has no area");
+  CHECK_REFUSED("t.off", replaced(tetrahedron, "0 1 0", "0.5 1e-300 0"), "has no area in double precision");
+  CHECK_REFUSED("t.off", replaced(tetrahedron, "3 0 2 1", "3 0 2 2"), "it has vertex 2 at (0, 1, 0) twice");
+  CHECK_REFUSED("t.off", replaced(tetrahedron, "3 0 3 2", "3 3 1 2"), "face 3 at (0, 0, 1) has the same corners as face 2");
+  CHECK_REFUSED("t.off", replaced(tetrahedron, "3 0 2 1", "3 0 1 2"),
+    "the faces 0 and 1 are oriented against each other at the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0)");
+  CHECK_REFUSED("open.off", "OFF\n4 3 0\n" + vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n",
+    "surfaces with boundary are not supported yet: the edge from vertex 0 at (0, 0, 0) to vertex 2 at (0, 1, 0)");
+  CHECK_REFUSED("page.off", "OFF\n5 5 0\n" + vertices + "1 1 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n",
+    "the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0) has 3 faces");
+  CHECK_REFUSED("fan.off", "OFF\n7 8 0\n" + vertices + "-1 0 0\n0 -1 0\n0 0 -1\n"
+    "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 0 5 6\n",
+    "the faces at vertex 0 at (0, 0, 0) form more than one fan");
+}
+
+// Whatever the bytes, reading ends with a surface or with a refusal.
+void check_broken_bytes(const std::string& name, const std::string& good)
+{
+  std::mt19937 random(7);
+  const auto survives = [&](const std::string& contents) {
+    try {
+      return structural_defect(read(name, contents)).empty();
+    } catch (const Unusable_surface_error&) {
+      return true;
+    }
+  };
+  for (std::size_t n = 0; n < good.size(); n += 1 + good.size() / 200) CHECK(survives(good.substr(0, n)));
+  for (int i = 0; i < 300; ++i) {
+    std::string bad = good;
+    for (int k = 0; k < 1 + i % 3; ++k) bad[random() % bad.size()] = static_cast<char>(random());
+    CHECK(survives(bad));
+    for (int k = 0; k < 1 + i % 3; ++k) bad[random() % bad.size()] = "0123456789-. \n#e"[random() % 16];
+    CHECK(survives(bad));
+  }
+}
+
+void check_broken_files()
+{
+  Mesh mesh = torus(2, 1, 5, 4);
+  for (const char* extension : {".off", ".obj", ".ply", ".stl"})
+    for (bool binary : {false, true}) {
+      const std::string path = (folder.path / ("fuzz" + std::string(extension))).string();
+      CHECK(CGAL::IO::write_polygon_mesh(path, mesh, CGAL::parameters::use_binary_mode(binary)));
+      std::ifstream in(path, std::ios::binary);
+      const std::string good{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+      in.close();
+      check_broken_bytes("fuzzed" + std::string(extension), good);
+    }
+  check_broken_bytes("fuzzed.off", replaced(cube, "OFF", "COFF"));
+  std::ostringstream json;
+  write_surface_json(json, hyperelliptic(1, 0));
+  check_broken_bytes("fuzzed.json", json.str());
+}
+
+int main()
+{
+  check_off();
+  check_other_formats();
+  check_json();
+  check_refusals();
+  check_broken_files();
+  return Quartic_test::result();
+}

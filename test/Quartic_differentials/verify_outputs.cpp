@@ -1,0 +1,333 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The verification accepts a valid output folder, and rejects every way of spoiling it that is tried here.
+
+#include <CGAL/Quartic_differentials/IO/verify_outputs.h>
+#include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
+#include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
+#include <CGAL/Quartic_differentials/immersion.h>
+#include <CGAL/Quartic_differentials/t_mesh.h>
+
+#include "check.h"
+#include "square_tiled_surfaces.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <sstream>
+
+using namespace CGAL::Quartic_differentials;
+using namespace Quartic_test;
+using nlohmann::json;
+
+namespace {
+
+// The three files of an output folder, and the folder they are written to.
+struct Output
+{
+  json flat, tmesh, report;
+
+  std::vector<Verification> verified() const
+  {
+    write("flat_intrinsic.json", flat.dump());
+    write("tmesh.json", tmesh.dump());
+    write("report.json", report.dump());
+    return verify_outputs(folder());
+  }
+
+  const json& file(const std::string& name) const
+  { return name == "tmesh.json" ? tmesh : name == "report.json" ? report : flat; }
+
+  static std::string folder()
+  {
+    static const std::filesystem::path path = std::filesystem::temp_directory_path()
+                                            / ("quartic_verify_" + std::to_string(std::random_device()()));
+    std::filesystem::create_directories(path);
+    return path.string();
+  }
+  static void write(const std::string& name, const std::string& text) { std::ofstream(folder() + "/" + name) << text; }
+};
+
+bool all_hold(const std::vector<Verification>& checks)
+{
+  return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](const Verification& c) { return c.ok; });
+}
+
+bool fails_with(const std::vector<Verification>& checks, const std::string& sentence)
+{
+  return std::any_of(checks.begin(), checks.end(),
+                     [&](const Verification& c) { return !c.ok && c.what.find(sentence) != std::string::npos; });
+}
+
+Quartic_differential immersed(const Square_tiled_surface& s)
+{
+  Immersion_report report;
+  return immersion(s.triangulation, s.triangulation.lengths(), s.singularities, s.order, s.triangulation.area(), {},
+                   report);
+}
+
+// the same differential on a surface with made-up positions in space, so that there are polylines
+Quartic_differential embedded(Quartic_differential q)
+{
+  std::mt19937 random(17);
+  Mesh mesh = q.triangulation.mesh();
+  for (Vertex v : mesh.vertices())
+    mesh.point(v) = Point_3(std::ldexp(random(), -32), std::ldexp(random(), -32), std::ldexp(random(), -32));
+  q.triangulation = Intrinsic_triangulation(mesh);
+  return q;
+}
+
+Output output_of(const Quartic_differential& q)
+{
+  Output output;
+  std::ostringstream flat, tmesh;
+  write_flat_intrinsic_json(flat, q);
+  output.flat = json::parse(flat.str());
+  if (!q.singularities.empty()) {
+    Visitor visitor;
+    write_t_mesh_json(tmesh, t_mesh(q, visitor), q);
+    output.tmesh = json::parse(tmesh.str());
+  }
+  output.report["input"]["genus"] = q.triangulation.genus();
+  output.report["singularities"] = json::array();
+  for (Vertex v : q.singularities) output.report["singularities"].push_back({{"order", q.order[v]}});
+  return output;
+}
+
+Output valid_output()
+{
+  std::mt19937 random(11);
+  Gluing glued = random_gluing(5, random);
+  while (!is_connected(glued)) glued = random_gluing(5, random);
+  return output_of(embedded(immersed(square_tiled_surface(subdivided(glued, 2)))));
+}
+
+void valid_outputs_pass()
+{
+  std::mt19937 random(5);
+  int verified = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Gluing glued = random_gluing(1 + i % 9, random);
+    if (!is_connected(glued)) continue;
+    Square_tiled_surface s = square_tiled_surface(subdivided(glued, 1 + i % 3));
+    flip_randomly(s.triangulation, 30, random);
+    if (s.singularities.empty()) continue;
+    const Quartic_differential q = immersed(s);
+    const auto checks = output_of(i % 2 == 0 ? q : embedded(q)).verified();
+    CHECK(all_hold(checks));
+    for (const Verification& c : checks)
+      if (!c.ok) std::cerr << c.what << std::endl;
+    ++verified;
+  }
+  CHECK(verified > 20);
+}
+
+void flat_torus_needs_no_tmesh()
+{
+  const Output torus = output_of(immersed(square_tiled_surface(subdivided({2, 3, 0, 1}, 3))));
+  torus.verified();
+  std::filesystem::remove(Output::folder() + "/tmesh.json");
+  CHECK(all_hold(verify_outputs(Output::folder())));
+}
+
+void spoilt_outputs_fail()
+{
+  const Output valid = valid_output();
+  CHECK(all_hold(valid.verified()));
+  const auto check_fails = [&](const std::string& sentence, const std::function<void(Output&)>& spoil) {
+    Output spoilt = valid;
+    spoil(spoilt);
+    const auto checks = spoilt.verified();
+    CHECK(!all_hold(checks));
+    CHECK(fails_with(checks, sentence));
+    if (!fails_with(checks, sentence)) std::cerr << "expected to fail with: " << sentence << std::endl;
+  };
+  const std::int64_t huge = std::numeric_limits<std::int64_t>::max();
+
+  // flat_intrinsic.json
+  check_fails("flipped or degenerate", [](Output& o) {
+    auto& t = o.flat["uv"][0];
+    std::swap(t[0], t[2]);
+    std::swap(t[1], t[3]);
+  });
+  const auto move_a_corner = [](Output& o) {   // not along a side or a diagonal of a square: the area changes
+    o.flat["uv"][3][0] = o.flat["uv"][3][0].get<std::int64_t>() + 1;
+    o.flat["uv"][3][1] = o.flat["uv"][3][1].get<std::int64_t>() + 7;
+  };
+  check_fails("exact rotation", move_a_corner);
+  check_fails("tmesh: patch areas", move_a_corner);
+  check_fails("gluing", [](Output& o) { std::swap(o.flat["opposite"][0][0], o.flat["opposite"][0][1]); });
+  check_fails("gluing", [](Output& o) { o.flat["opposite"][2][1] = {2, 1}; });
+  check_fails("gluing", [](Output& o) {
+    auto& t = o.flat["triangles"];
+    const auto differs = std::find_if(t.begin(), t.end(), [&](const json& f) { return f[0] != t[0][0]; });
+    t[0][0] = (*differs)[0];
+  });
+  check_fails("one circle", [](Output& o) {   // two vertices with the same name
+    for (auto& f : o.flat["triangles"])
+      for (auto& v : f)
+        if (v == 1) v = 0;
+  });
+  check_fails("one component", [](Output& o) {   // two copies of the surface
+    const std::size_t n = o.flat["triangles"].size();
+    for (const char* key : {"triangles", "uv", "opposite"})
+      for (std::size_t t = 0; t < n; ++t) {
+        json copy = o.flat[key][t];
+        if (key == std::string("opposite")) for (auto& glued : copy) glued[0] = glued[0].get<std::size_t>() + n;
+        o.flat[key].push_back(copy);
+      }
+  });
+  check_fails("flat_intrinsic.json: triangle 4", [](Output& o) { o.flat["triangles"][4] = {0, 1}; });
+  check_fails("vertex of triangle 4 is out of range", [](Output& o) { o.flat["triangles"][4][0] = -1; });
+  check_fails("not an integer", [](Output& o) { o.flat["uv"][4][0] = 0.5; });
+  check_fails("not an integer", [](Output& o) { o.flat["uv"][4][0] = "0"; });
+  check_fails("not an integer", [](Output& o) { o.flat["uv"][4][0] = 1e300; });
+  check_fails("out of range", [&](Output& o) { o.flat["uv"][4][0] = huge; });
+  check_fails("out of range", [&](Output& o) { o.flat["uv"][4][0] = std::numeric_limits<std::int64_t>::min(); });
+  check_fails("out of range", [&](Output& o) { o.flat["uv"][4][0] = std::numeric_limits<std::uint64_t>::max(); });
+  check_fails("out of range", [&](Output& o) { o.flat["opposite"][4][0][0] = huge; });
+  check_fails("out of range", [](Output& o) { o.flat["opposite"][4][0][1] = 3; });
+  check_fails("out of range", [](Output& o) { o.flat["grid_exponent"] = 1000000; });
+  check_fails("\"uv\" is missing", [](Output& o) { o.flat.erase("uv"); });
+  check_fails("uv does not have", [](Output& o) { o.flat["uv"].erase(0); });
+  check_fails("\"grid_exponent\" is missing", [](Output& o) { o.flat = json::array({1, 2}); });
+  check_fails("closed surface", [](Output& o) {
+    for (const char* key : {"triangles", "uv", "opposite"}) o.flat[key] = json::array();
+  });
+  check_fails("three finite numbers", [](Output& o) { o.flat["vertices"] = {{0, 0, "z"}}; });
+
+  // report.json
+  check_fails("orders match the report", [](Output& o) { o.report["singularities"].erase(0); });
+  check_fails("Euler characteristic", [](Output& o) { o.report["input"]["genus"] = 17; });
+  check_fails("8g-8", [](Output& o) { o.report["input"]["genus"] = 17; });
+  check_fails("report.json: \"genus\" is missing", [](Output& o) { o.report["input"] = 3; });
+  check_fails("out of range", [](Output& o) { o.report["input"]["genus"] = -1; });
+
+  // tmesh.json
+  check_fails("used once forward", [](Output& o) { o.tmesh["patches"].erase(0); });
+  check_fails("patch areas", [](Output& o) { o.tmesh["patches"].erase(0); });
+  const auto increase = [](json& number) { number = number.get<std::int64_t>() + 1; };
+  check_fails("exact rectangles", [&](Output& o) { increase(o.tmesh["arcs"][0]["length"]); });
+  check_fails("positive length", [](Output& o) { o.tmesh["arcs"][0]["length"] = 0; });
+  check_fails("exact rectangles", [&](Output& o) { for (auto& a : o.tmesh["arcs"]) a["length"] = huge; });
+  check_fails("exact rectangles", [&](Output& o) { increase(o.tmesh["patches"][0]["width"]); });
+  check_fails("patch areas", [](Output& o) { o.tmesh["grid_exponent"] = 44; });
+  check_fails("close up", [](Output& o) { auto& s = o.tmesh["patches"][0]["sides"]; std::swap(s[0], s[2]); });
+  check_fails("used once forward", [](Output& o) {
+    auto& forward = o.tmesh["patches"][0]["sides"][0][0]["forward"];
+    forward = !forward.get<bool>();
+  });
+  check_fails("V-E+F", [](Output& o) {
+    auto node = o.tmesh["nodes"][0];
+    node["id"] = 100000;
+    o.tmesh["nodes"].push_back(node);
+  });
+  check_fails("one node for every", [](Output& o) { o.tmesh["nodes"][0]["order"] = 7; });
+  check_fails("kind of every node", [](Output& o) { o.tmesh["nodes"].back()["kind"] = "corner"; });
+  check_fails("\"polyline\" is missing", [](Output& o) { o.tmesh["arcs"][0].erase("polyline"); });
+  check_fails("no two points", [](Output& o) { o.tmesh["arcs"][0]["polyline"] = {{0, 0, 0}}; });
+  check_fails("polylines end", [](Output& o) { o.tmesh["nodes"][1]["position"] = {1, 1, 0}; });
+  check_fails("is not unique", [](Output& o) { o.tmesh["nodes"][1]["id"] = 0; });
+  check_fails("does not exist", [](Output& o) { o.tmesh["arcs"][0]["from"] = 100000; });
+  check_fails("does not exist", [](Output& o) { o.tmesh["patches"][0]["sides"][0][0]["arc"] = 100000; });
+  check_fails("side of a patch is empty", [](Output& o) { o.tmesh["patches"][0]["sides"][0] = json::array(); });
+  check_fails("4 entries", [](Output& o) { o.tmesh["patches"][0]["sides"].erase(0); });
+  check_fails("true or false", [](Output& o) { o.tmesh["patches"][0]["sides"][0][0]["forward"] = 1; });
+  check_fails("neither", [](Output& o) { o.tmesh["surface"] = "sphere"; });
+  check_fails("not an integer", [](Output& o) { o.tmesh["arcs"][0]["length"] = 1e30; });
+  check_fails("tmesh.json: \"id\" is missing", [](Output& o) { o.tmesh["arcs"] = {nullptr}; });
+}
+
+// files that are missing, cut off, empty, binary or nested too deeply
+void malformed_files_fail()
+{
+  const Output valid = valid_output();
+  for (const std::string name : {"flat_intrinsic.json", "tmesh.json", "report.json"}) {
+    const std::string text = valid.file(name).dump();
+    const std::vector<std::string> texts = {"", "{", "null", "[]", "\xff\xfe\0x", std::string(1000000, '['), text + "}",
+                                            text.substr(0, text.size() / 2), text.substr(0, text.size() - 1)};
+    for (const std::string& bad : texts) {
+      valid.verified();
+      Output::write(name, bad);
+      CHECK(fails_with(verify_outputs(Output::folder()), name + ": "));
+    }
+    valid.verified();
+    std::filesystem::remove(Output::folder() + "/" + name);
+    CHECK(fails_with(verify_outputs(Output::folder()), name + ": the file cannot be opened"));
+  }
+  CHECK(!all_hold(verify_outputs(Output::folder() + "/no/such/folder")));
+}
+
+// one byte at a time: no crash, whatever the verdict
+void random_bytes_do_no_harm()
+{
+  const Output valid = valid_output();
+  std::mt19937 random(1);
+  for (const std::string name : {"flat_intrinsic.json", "tmesh.json", "report.json"}) {
+    const std::string text = valid.file(name).dump();
+    valid.verified();
+    for (int i = 0; i < 300; ++i) {
+      std::string bad = text;
+      bad[random() % bad.size()] = "0123456789[]{},:\"-.eE "[random() % 22];
+      Output::write(name, bad);
+      CHECK(!verify_outputs(Output::folder()).empty());
+    }
+  }
+}
+
+// Every texture coordinate of the obj reads back to the identical double, and the corners differ by exact rotations.
+void obj_is_exact()
+{
+  const Quartic_differential q = embedded(immersed(square_tiled_surface(subdivided({4, 7, 6, 5, 0, 3, 2, 1}, 3))));
+  const Intrinsic_triangulation& t = q.triangulation;
+  write_flat_intrinsic_obj(Output::folder(), q);
+
+  std::ifstream in(Output::folder() + "/flat_intrinsic.obj");
+  std::vector<std::string> u, v;
+  std::size_t positions = 0, f = 0;
+  for (std::string line; std::getline(in, line); ) {
+    std::istringstream words(line);
+    std::string key;
+    words >> key;
+    if (key == "v") ++positions;
+    if (key == "vt") { u.emplace_back(); v.emplace_back(); words >> u.back() >> v.back(); }
+    if (key != "f") continue;
+    for (Halfedge h : t.halfedges(Face(static_cast<Mesh::size_type>(f)))) {
+      std::size_t vertex = 0, texture = 0;
+      char slash = 0;
+      words >> vertex >> slash >> texture;
+      CHECK_EQUAL(vertex, t.source(h).idx() + 1u);
+      CHECK(texture >= 1 && texture <= u.size());
+      CHECK(std::strtod(u[texture - 1].c_str(), nullptr) == std::ldexp(q.corner[h].x, -q.grid_exponent));
+      CHECK(std::strtod(v[texture - 1].c_str(), nullptr) == std::ldexp(q.corner[h].y, -q.grid_exponent));
+    }
+    ++f;
+  }
+  CHECK_EQUAL(positions, t.number_of_vertices());
+  CHECK_EQUAL(f, t.number_of_faces());
+  CHECK(u.size() < t.number_of_halfedges() / 2);   // corners share texture vertices away from seams
+  for (const char* name : {"flat_intrinsic.mtl", "flat_intrinsic.png"})
+    CHECK(std::filesystem::file_size(Output::folder() + "/" + name) > 50);
+}
+
+} // namespace
+
+int main()
+{
+  valid_outputs_pass();
+  flat_torus_needs_no_tmesh();
+  spoilt_outputs_fail();
+  malformed_files_fail();
+  random_bytes_do_no_harm();
+  obj_is_exact();
+  std::filesystem::remove_all(Output::folder());
+  return Quartic_test::result();
+}
