@@ -20,7 +20,7 @@ const double pi = 3.14159265358979323846;
 Eigen::VectorXd turning_numbers(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
                                 const std::vector<double>& angles)
 {
-  // alpha(h): direction of h in a frame of its face whose axis is h0 (DESIGN, step 4)
+  // alpha(h): direction of h in a frame of its face whose axis is h0 (METHOD, step 4)
   const auto alpha = [&](Halfedge h) {
     const auto [h0, h1, h2] = t.halfedges(t.face(h));
     if (h == h0) return 0.0;

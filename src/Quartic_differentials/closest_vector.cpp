@@ -14,7 +14,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// Notation (DESIGN, step 5)
+// Notation (METHOD, step 5)
 //   W, x    the Gram matrix and the target, exactly as given
 //   U       the reduced basis, by columns: m = U (o + k), o the rounded coordinates of x in it
 //   y       what is left of the coordinates of x after rounding, in [-1/2, 1/2]

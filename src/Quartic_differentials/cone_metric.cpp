@@ -145,7 +145,7 @@ Flow flow_of(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
 }
 
 // dT_k = Sum_f omega_k(h0) dtheta_1 - omega_k(h2) dtheta_2 with omega harmonic in the flat metric, and
-// dtheta_i = (cot theta_j + cot theta_k) lambda_jk - cot theta_j lambda_ij - cot theta_k lambda_ik (DESIGN, step 6).
+// dtheta_i = (cot theta_j + cot theta_k) lambda_jk - cot theta_j lambda_ij - cot theta_k lambda_ik (METHOD, step 6).
 Eigen::MatrixXd jacobian(const Flow& flow, Laplacian_solver& laplacian)
 {
   const Cone_metric& m = flow.metric;

@@ -7,7 +7,7 @@
 
 // Axis-parallel lines in the charts of a quartic differential, exactly.
 //
-// Notation (DESIGN, step 8)
+// Notation (METHOD, step 8)
 //   d      a direction, the unit vector i^d
 //   level  the line's distance to the left of the origin, i^d x z
 //   clock  tau: whoever runs along the line is at z at the time <i^d, z> + tau

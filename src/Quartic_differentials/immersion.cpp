@@ -19,7 +19,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// Notation (DESIGN, step 7)
+// Notation (METHOD, step 7)
 //   s, s'   a side of the boundary polygon of the cut surface, and its mate
 //   k_s     the rotation i^k of the change of charts across s, from the face on the left of s to the one at s'
 //   d_s     the vector along s; d_s' = -i^k_s d_s

@@ -46,6 +46,8 @@ public:
   {
     const std::vector<double> k = curvatures(t, corner_angles(t, t.lengths()));
     m_curvature = heat_smoothed(t, weights, smoothing_time * t.area(), Eigen::Map<const Eigen::VectorXd>(k.data(), k.size()));
+    m_maxima_first = ordered(+1);
+    m_minima_first = ordered(-1);
   }
 
   // marks everything near v as taken (Dijkstra's algorithm along edges)
@@ -79,9 +81,7 @@ public:
   std::vector<Vertex> pick(int count, int sign)
   {
     std::vector<Vertex> picked;
-    std::vector<Vertex> candidates = by_curvature(sign);
-    std::stable_partition(candidates.begin(), candidates.end(), [&](Vertex v) { return is_extremum(v, sign); });
-    for (Vertex v : candidates) {
+    for (Vertex v : sign > 0 ? m_maxima_first : m_minima_first) {
       if (static_cast<int>(picked.size()) == count) break;
       if (m_taken[v]) continue;
       picked.push_back(v);
@@ -91,12 +91,13 @@ public:
   }
 
 private:
-  std::vector<Vertex> by_curvature(int sign) const
+  std::vector<Vertex> ordered(int sign) const
   {
     std::vector<Vertex> order(m_t.vertices().begin(), m_t.vertices().end());
     std::stable_sort(order.begin(), order.end(), [&](Vertex a, Vertex b) {
       return sign * m_curvature[a] > sign * m_curvature[b];
     });
+    std::stable_partition(order.begin(), order.end(), [&](Vertex v) { return is_extremum(v, sign); });
     return order;
   }
   bool is_extremum(Vertex v, int sign) const
@@ -114,6 +115,7 @@ private:
   double                         m_radius;
   std::vector<char>              m_taken;
   Eigen::VectorXd                m_curvature;
+  std::vector<Vertex>            m_maxima_first, m_minima_first;
 };
 
 // The range of log scales of the linearised flat metric, L u = K_target - K.
@@ -149,7 +151,7 @@ Divisor curvature_divisor(const Intrinsic_triangulation& t, const std::vector<do
                                    "of genus " + std::to_string(t.genus()) + ", not " + std::to_string(count));
   std::vector<int> counts;
   if (count == 0) {
-    for (int pairs : {0, 2, 4, 6, 8, 12})
+    for (int pairs : {0, 2, 4, 6, 8, 12, 16, 20})
       if (least + 2 * pairs >= 8) counts.push_back(least + 2 * pairs);
   } else {
     counts.push_back(count + (count - least) % 2);

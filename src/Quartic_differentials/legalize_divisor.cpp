@@ -91,7 +91,7 @@ Eigen::MatrixXd lattice_gram(const Eigen::MatrixXd& j, const Period_matrix& peri
   Eigen::MatrixXd gram(n, n);
   if (norm == Lattice_norm::movement) {
     gram = quarter_turn * quarter_turn * (j * j.transpose()).inverse();
-  } else {   // |-rho_b + Pi rho_a|^2 (DESIGN, section 4: image)
+  } else {   // |-rho_b + Pi rho_a|^2 (METHOD, Abel-Jacobi map)
     gram.topLeftCorner(g, g) = (periods.pi.adjoint() * periods.pi).real();
     gram.topRightCorner(g, g) = -periods.pi.real().transpose();
     gram.bottomLeftCorner(g, g) = -periods.pi.real();

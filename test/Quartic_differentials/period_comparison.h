@@ -21,7 +21,7 @@ namespace Quartic_test {
 
 using Complex = std::complex<double>;
 
-/// The Dirichlet products of the harmonic forms dual to the basis, for Pi = X + iY (DESIGN, "Ground truth", in the
+/// The Dirichlet products of the harmonic forms dual to the basis, for Pi = X + iY (METHOD, "Ground truth", in the
 /// order a, b): [[Y^-1, Y^-1 X], [X Y^-1, Y + X Y^-1 X]].
 inline Eigen::MatrixXd gram_of_periods(const Eigen::MatrixXcd& pi)
 {

@@ -108,7 +108,7 @@ void test_torus_of_revolution()
   check_order("torus of revolution", errors, 1.8, 2e-3);
 }
 
-// The Dirichlet products converge with error O(h^(1+1/g)) (DESIGN, "Ground truth"), from above, and their bracket holds
+// The Dirichlet products converge with error O(h^(1+1/g)) (METHOD, "Ground truth"), from above, and their bracket holds
 // the truth. The period matrix is exact at once: the triangulation has the curve's automorphisms, which determine it.
 void test_hyperelliptic(int g, int levels, double last_at_most)
 {

@@ -15,7 +15,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// Notation (DESIGN, step 7, "Common refinement")
+// Notation (METHOD, step 7, "Common refinement")
 //   A         the input triangulation, which stays as it is
 //   C         the current triangulation on the same vertices: A, flipped
 //   P         where an A edge m -> n crosses a C edge v -> w, in homogeneous coordinates:
@@ -63,7 +63,7 @@ struct Crossing
 /// well the weights are rounded. Euclidean and Ptolemy flips differ in their weights only.
 ///
 /// Not promised: that the rounded positions of crossings on an edge are strictly monotone.
-/// Source: DESIGN, step 7. Complexity: linear in the number of crossings on and next to the flipped edge, times the
+/// Source: METHOD, step 7. Complexity: linear in the number of crossings on and next to the flipped edge, times the
 /// logarithm of the number of new ones.
 class Common_refinement
 {

@@ -14,7 +14,7 @@ namespace Quartic_differentials {
 
 /// Closed integer 1-forms eta_1 .. eta_n: eta_k(h) counts the crossings of a loop gamma_k of the dual graph with the
 /// halfedge h, +1 where the loop leaves the face of h through h, and eta_k(opposite h) = -eta_k(h).
-/// They ride along flips and insertions, so that no loop is ever re-routed. (DESIGN, step 1)
+/// They ride along flips and insertions, so that no loop is ever re-routed. (METHOD, step 1)
 class Integer_cochains
 {
 public:

@@ -40,7 +40,7 @@ struct Glued_triangles
   std::vector<std::array<double, 3>>              lengths;
 };
 
-/// The halfedges and lengths round an edge e = ij that is about to be flipped to f = kl (DESIGN, step 6):
+/// The halfedges and lengths round an edge e = ij that is about to be flipped to f = kl (METHOD, step 6):
 /// the faces are (ij, jk, ki) and (ji, il, lj).
 struct Edge_flip
 {

@@ -59,7 +59,7 @@ struct Transition
 
 /// A meromorphic quartic differential (dz)^4 on a flat triangulated surface: every face is a chart, with its corners
 /// on a dyadic grid, and charts change across every edge by exactly a rotation by k*90 degrees and a translation.
-/// (DESIGN, step 7; paper, section 4.7)
+/// (METHOD, step 7; paper, section 4.7)
 struct Quartic_differential
 {
   Intrinsic_triangulation  triangulation;     ///< the flat triangulation: the input's vertices, then the inserted cones

@@ -33,7 +33,7 @@ struct Refinement_cell
 };
 
 /// The cells of a common refinement, and the map between A and C that is the identity of the surface.
-/// (DESIGN, step 7, "Common refinement")
+/// (METHOD, step 7, "Common refinement")
 ///
 /// A value of its own: it does not refer to the triangulations it was made from.
 class Refinement_cells

@@ -19,7 +19,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// Notation (DESIGN, step 4; paper, section 4.4)
+// Notation (METHOD, step 4; paper, section 4.4)
 //   p_i, n_i  the singularities of the divisor D and their orders
 //   ^g_k(p)   the potential of omega_k, continued along paths: g_k plus the integral of omega_k
 //   T_k       turning of gamma_k in the metric of the triangulation
@@ -36,7 +36,7 @@ struct Lifted_point
 
 using Lifted_divisor = std::vector<Lifted_point>;
 
-/// the turning numbers of the loops dual to the cochains, modulo 2 pi (DESIGN, step 4). [radians]
+/// the turning numbers of the loops dual to the cochains, modulo 2 pi (METHOD, step 4). [radians]
 /// \param angles by halfedge, at its source, in any metric on the triangulation
 /// Complexity: linear in the edges the loops cross.
 Eigen::VectorXd turning_numbers(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
@@ -91,7 +91,7 @@ struct Abel_jacobi_image
   Eigen::VectorXcd   image;   ///< g complex numbers, 0 for a legal divisor (the paper's table 3)
 };
 
-/// translates a residual into the paper's form (DESIGN, step 4).
+/// translates a residual into the paper's form (METHOD, step 4).
 /// \param zeros the divisor of a holomorphic 1-form, on sheet 0
 /// \param nearest m, the lattice vector
 Abel_jacobi_image abel_jacobi_image(const Abel_jacobi_map& map, const Period_matrix& periods,

@@ -56,7 +56,7 @@ struct Closest_vectors
 /// \throws Numerical_error if `gram` is not positive definite beyond rounding after the reduction, or an integer
 ///         leaves the 64-bit range
 /// Complexity: exponential in the dimension in the worst case; milliseconds up to dimension 24.
-/// Source: DESIGN, step 5; C. P. Schnorr, M. Euchner, Lattice basis reduction, Math. Programming 66 (1994);
+/// Source: METHOD, step 5; C. P. Schnorr, M. Euchner, Lattice basis reduction, Math. Programming 66 (1994);
 ///         A. K. Lenstra, H. W. Lenstra, L. Lovasz, Math. Ann. 261 (1982).
 Closest_vectors closest_vectors(const Eigen::MatrixXd& gram, const Eigen::VectorXd& target,
                                 const Closest_vector_options& options = Closest_vector_options());

@@ -17,7 +17,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// Notation (DESIGN, step 6; paper, section 4.6)
+// Notation (METHOD, step 6; paper, section 4.6)
 //   l_ij      edge lengths of the triangulation with the cones inserted
 //   u_i       log scale factors: the flat metric has lengths exp((u_i + u_j) / 2) l_ij
 //   K_i       curvatures; the target is -n pi/2 at a cone of order n and 0 elsewhere; dK = L du
@@ -86,7 +86,7 @@ struct Exact_cone_metric
 
 /// moves the cones until the holonomy of the discrete flat metric is exact: Newton's method on the positions.
 ///
-/// The first metric is only as good as the linear theory; two or three steps reach rounding. (DESIGN, step 6: past the
+/// The first metric is only as good as the linear theory; two or three steps reach rounding. (METHOD, step 6: past the
 /// paper, which accepts 0.1 to 0.3 degrees.) Always returns: see `reached`.
 /// \throws Infeasible_divisor_error if singularities run into each other
 /// Complexity: a warm-started flow and 2g back-substitutions a step.

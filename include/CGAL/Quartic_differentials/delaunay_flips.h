@@ -18,7 +18,7 @@ namespace Quartic_differentials {
 ///   (a^2 + b^2 - e^2) cd + (c^2 + d^2 - e^2) ab + 16 eps * (the same with every sign +)
 /// is negative, decided exactly for the given doubles (static filter, intervals, exact numbers).
 /// The margin, eps = 2^-53, covers the rounding of the lengths, so that never both diagonals of a quadrilateral are
-/// flagged and flipping cannot cycle. The same polynomial decides the ideal (Penner) condition. (DESIGN, step 6)
+/// flagged and flipping cannot cycle. The same polynomial decides the ideal (Penner) condition. (METHOD, step 6)
 bool certified_not_delaunay(double e, double a, double b, double c, double d);
 
 /// the length of the other diagonal of two triangles (e, a, b) and (e, c, d) unfolded into the plane

@@ -17,7 +17,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// Notation (DESIGN, step 2; paper, section 4.2)
+// Notation (METHOD, step 2; paper, section 4.2)
 //   eta_k    closed integer cochains dual to a_1 .. a_g, b_1 .. b_g
 //   g_k      functions on the vertices with L g_k = -d^T W eta_k
 //   omega_k  harmonic 1-forms eta_k + d g_k
@@ -68,7 +68,7 @@ struct Holomorphic_zero
 /// \param star 2g x 2g, the Hodge star: the coefficients of the imaginary part are star * coefficients
 /// \post the orders sum up to 2g - 2
 /// Complexity: linear.
-/// Source: DESIGN, step 2; paper, section 4.2.
+/// Source: METHOD, step 2; paper, section 4.2.
 std::vector<Holomorphic_zero> zeros_of_holomorphic_form(const Intrinsic_triangulation& t, const Harmonic_1_forms& forms,
                                                         const Eigen::VectorXd& coefficients, const Eigen::MatrixXd& star);
 

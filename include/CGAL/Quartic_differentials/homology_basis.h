@@ -15,7 +15,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// Notation (DESIGN, step 1; paper, section 4.1)
+// Notation (METHOD, step 1; paper, section 4.1)
 //   gamma_k  2g loops of the dual graph from a tree-cotree decomposition
 //   eta_k    the closed integer cochain that counts crossings with gamma_k
 //   J_kl     gamma_k . gamma_l, positive when gamma_l crosses gamma_k from right to left

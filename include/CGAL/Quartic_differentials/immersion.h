@@ -50,7 +50,7 @@ struct Immersion_report
 /// \pre t is connected, and the orders are at least -3, vanish outside the singularities and sum to 8g - 8
 /// \throws Numerical_error if a rotation across the cut is not a multiple of 90 degrees to 1e-6 radians, or the exact
 ///         cone at a vertex is not the one of its order
-/// Complexity: O(n log n). Source: DESIGN, step 7; paper, section 4.7.
+/// Complexity: O(n log n). Source: METHOD, step 7; paper, section 4.7.
 Quartic_differential immersion(const Intrinsic_triangulation& t, const std::vector<double>& flat_lengths,
                                const std::vector<Vertex>& singularities, const std::vector<int>& order,
                                double surface_area, const Immersion_options& options, Immersion_report& report);

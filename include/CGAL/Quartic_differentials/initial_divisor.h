@@ -18,7 +18,7 @@ namespace Quartic_differentials {
 /// \param count number of singularities; the next count of the right parity is taken; 0: automatic
 /// \throws Infeasible_divisor_error if the surface has no room for that many
 /// Complexity: one factorisation for the smoothing, one back-substitution for every count tried.
-/// Source: DESIGN, steps 5 ("degree repair") and 6; paper, section 4.5.
+/// Source: METHOD, steps 5 ("degree repair") and 6; paper, section 4.5.
 Divisor curvature_divisor(const Intrinsic_triangulation& t, const std::vector<double>& weights,
                           const Laplacian_solver& laplacian, int count);
 

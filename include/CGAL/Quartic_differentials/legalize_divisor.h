@@ -54,7 +54,7 @@ struct Legal_divisor
 /// \throws Infeasible_divisor_error with the mathematical reason: wrong degree, order below -3, genus 1 with one zero and
 ///         one pole of order one, rank of the Jacobian below 2g, singularities that run into each other
 /// \throws Numerical_error if no lattice vector can be reached within the iterations
-/// Source: DESIGN, step 5; paper, section 4.5.
+/// Source: METHOD, step 5; paper, section 4.5.
 Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& periods, const Divisor& divisor,
                                const Legalization_options& options, Visitor& visitor);
 

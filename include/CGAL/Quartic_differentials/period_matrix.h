@@ -12,7 +12,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// Notation (DESIGN, step 3; paper, section 4.3)
+// Notation (METHOD, step 3; paper, section 4.3)
 //   J    2g x 2g  intersection numbers of the canonical basis a_1 .. a_g, b_1 .. b_g
 //   S    2g x 2g  Dirichlet products of the harmonic forms dual to it, symmetric positive definite
 //   C    2g x 2g  Hodge star on cohomology, C = J^-1 S; C C = -I up to discretisation

@@ -37,7 +37,7 @@ Mesh handle_ring(int g, int resolution);
 /// sheets, where front side k of sheet s is glued to back side k of sheet s if k is even, and of sheet 1-s if k is
 /// odd; every polygon is a fan round its centre, `subdivided()` as often as asked.
 /// Without subdivision it is a Delta-complex with parallel edges.
-/// \pre `g >= 1`, `subdivisions >= 0`. Complexity: linear in the size of the result. Source: DESIGN, "Ground truth".
+/// \pre `g >= 1`, `subdivisions >= 0`. Complexity: linear in the size of the result. Source: METHOD, "Ground truth".
 Glued_triangles hyperelliptic(int g, int subdivisions);
 
 /// splits every triangle into four at the midpoints of its edges. The surface does not change. Old vertices keep

@@ -29,7 +29,7 @@ struct Chart_segment
 };
 
 /// A decomposition of a quartic differential's surface into rectangles, all lengths exact integers in units of
-/// 2^-grid_exponent. (DESIGN, step 8)
+/// 2^-grid_exponent. (METHOD, step 8)
 struct T_mesh
 {
   enum class Node_kind { singularity, meeting, t_junction, crossing };
@@ -76,7 +76,7 @@ struct T_mesh
 ///         for too long), or an invariant of the result fails
 /// \throws Cancelled_error
 /// Complexity: O(s log s) for s crossings of traces with edges, plus the pairs of traces in a face.
-/// Source: DESIGN, step 8; paper, section 4.8.
+/// Source: METHOD, step 8; paper, section 4.8.
 T_mesh t_mesh(const Quartic_differential& q, Visitor& visitor);
 
 /// checks every invariant of a T-mesh of `q` exactly and returns the first violation as a sentence, or the empty string:

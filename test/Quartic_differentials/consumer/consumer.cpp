@@ -4,20 +4,21 @@
 
 // The program of README.md: from a mesh to its singularities and rectangles.
 
-#include <CGAL/Quartic_differentials/IO/read_surface.h>
-#include <CGAL/Quartic_differentials/pipeline.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/quartic_differential.h>
 
 #include <iostream>
 
+using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 namespace QD = CGAL::Quartic_differentials;
 
 int main(int, char** argv)
 {
-  std::vector<std::string> notes;
-  const QD::Intrinsic_triangulation surface = QD::read_surface(argv[1], notes);
-  QD::Visitor visitor;                          // override it to follow the progress, or to stop
-  QD::Quartic_differential_result result;
-  QD::quartic_differential(surface, std::nullopt, {}, visitor, result);
+  CGAL::Surface_mesh<Point> mesh;                // any model of FaceListGraph: closed, connected, triangles
+  if (!CGAL::IO::read_OFF(argv[1], mesh)) return 1;
+  const QD::Quartic_differential_result result = QD::quartic_differential(mesh);
   for (const QD::Singularity& s : result.singularities)
     std::cout << "a vertex of valence " << s.order + 4 << " in face " << s.location.face << '\n';
   std::cout << result.t_mesh->patches.size() << " rectangles\n";

@@ -21,7 +21,7 @@ namespace Quartic_differentials {
 /// - `uv`: [u0, v0, u1, v1, u2, v2] of every triangle, integers in units of 2^-k;
 /// - `opposite`: [[t, e], [t, e], [t, e]] of every triangle: the triangle and edge glued to each of its edges;
 ///   edge e joins the corners e and e+1, and self-gluings are legal.
-/// Complexity: linear. Source: DESIGN, section 4.
+/// Complexity: linear. Source: METHOD, output files.
 void write_flat_intrinsic_json(std::ostream& out, const Quartic_differential& q);
 
 /// writes flat_intrinsic.obj, flat_intrinsic.mtl and a checkerboard, flat_intrinsic.png, into `folder`.
@@ -32,7 +32,7 @@ void write_flat_intrinsic_json(std::ostream& out, const Quartic_differential& q)
 /// triangulation is not the input's, they do not lie on the input surface.
 /// \pre `q.triangulation` is embedded
 /// \throws Error if a file cannot be written
-/// Complexity: linear. Source: DESIGN, section 4.
+/// Complexity: linear. Source: METHOD, output files.
 void write_flat_intrinsic_obj(const std::string& folder, const Quartic_differential& q);
 
 } } // namespace CGAL::Quartic_differentials

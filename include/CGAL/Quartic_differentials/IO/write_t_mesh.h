@@ -12,7 +12,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-/// writes `tmesh.json` (DESIGN, section 4): nodes, arcs and patches, lengths in integers, places in space as points and
+/// writes `tmesh.json` (METHOD, output files): nodes, arcs and patches, lengths in integers, places in space as points and
 /// polylines on the straight triangles of the flat triangulation.
 ///
 /// Every polyline begins and ends at the very doubles of its nodes' positions. All numbers read back as they were.

@@ -55,7 +55,7 @@ Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_coch
 Vertex vertex_at(const Intrinsic_triangulation& t, const Surface_point& p);
 
 /// lambda: the derivatives of the logarithms of the edge lengths by the positions of the cones, sparse rows by edge.
-/// Rides along Ptolemy flips. (DESIGN, step 6)
+/// Rides along Ptolemy flips. (METHOD, step 6)
 class Length_derivatives
 {
 public:

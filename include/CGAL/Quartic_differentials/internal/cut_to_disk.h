@@ -42,7 +42,7 @@ struct Cut_disk
 /// of `tree_cotree()`, without leaves that are not cones.
 ///
 /// \pre `is_cone` (by vertex) holds somewhere, or the genus is positive
-/// Complexity: O(n log n). Source: DESIGN, step 7.
+/// Complexity: O(n log n). Source: METHOD, step 7.
 Cut_disk cut_to_disk(const Intrinsic_triangulation& t, const std::vector<double>& lengths,
                      const std::vector<char>& is_cone);
 

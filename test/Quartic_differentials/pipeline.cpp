@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The whole pipeline in one call, on surfaces of genus 0 to 6.
+
+#include "check.h"
+#include "named_surfaces.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Quartic_differentials/IO/singularities.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/quartic_differential.h>
+
+#include <cmath>
+#include <sstream>
+
+using namespace CGAL::Quartic_differentials;
+
+namespace {
+
+// The metric is discretely conformal: the length cross ratio of an edge is that of the Delaunay triangulation as long
+// as neither the edge nor the four round it were flipped. Returns the worst relative deviation, and counts the edges.
+double worst_cross_ratio(const Riemann_surface& s, const Cone_metric& m, std::size_t& edges)
+{
+  const auto corners = [](const Intrinsic_triangulation& t, Edge e) {
+    const Edge_flip f = t.flip_of(e, 0, false);
+    return std::array<Halfedge, 6>{f.ij, f.jk, f.ki, f.ji, f.il, f.lj};
+  };
+  double worst = 0;
+  edges = 0;
+  for (Edge e : s.delaunay.edges()) {
+    const auto h = corners(s.delaunay, e);
+    if (h != corners(m.triangulation, e)) continue;
+    bool unflipped = true;   // lengths are unscaled: they change only by flips
+    for (Halfedge k : h) unflipped = unflipped && s.delaunay.length(k) == m.triangulation.length(k);
+    if (!unflipped) continue;
+    ++edges;
+    const auto ratio = [&](const Intrinsic_triangulation& t, const std::vector<double>& l) {
+      return l[t.edge(h[1])] * l[t.edge(h[4])] / (l[t.edge(h[2])] * l[t.edge(h[5])]);
+    };
+    worst = std::max(worst, std::abs(ratio(m.triangulation, m.lengths) / ratio(s.delaunay, s.delaunay.lengths()) - 1));
+  }
+  return worst;
+}
+
+void check_result(const std::string& name, const Intrinsic_triangulation& input, const Quartic_differential_result& r)
+{
+  const int g = input.genus();
+  std::cout << name << ": genus " << g << ", " << r.singularities.size() << " singularities, "
+            << (r.t_mesh ? r.t_mesh->patches.size() : 0) << " patches" << std::endl;
+  CHECK_EQUAL(degree(r.singularities), 8 * g - 8);
+  CHECK_EQUAL(defect(*r.differential), "");
+  CHECK_EQUAL(r.immersion.flipped_triangles, 0u);
+  if (r.t_mesh) CHECK_EQUAL(defect(*r.t_mesh, *r.differential), "");
+  std::size_t edges = 0;
+  CHECK(worst_cross_ratio(*r.surface, r.metric->metric, edges) < 1e-13);
+  CHECK(2 * edges > input.number_of_edges());
+  // the flat area in surface units is the surface's
+  const double unit = std::ldexp(r.differential->surface_units_per_unit, -r.differential->grid_exponent);
+  CHECK_NEAR(0.5 * static_cast<double>(r.differential->doubled_area()) * unit * unit / input.area(), 1, 1e-12);
+  for (const Singularity& s : r.singularities) {
+    double sum = 0;
+    for (double b : s.location.barycentric) { CHECK(b >= 0); sum += b; }
+    CHECK_NEAR(sum, 1, 1e-12);
+  }
+  CHECK(!r.timings.empty());
+}
+
+void test_samples()
+{
+  for (const auto& [name, surface] : Quartic_test::sample_surfaces()) {
+    Visitor visitor;
+    Quartic_differential_result r;
+    quartic_differential(surface, std::nullopt, {}, visitor, r);
+    check_result(name, surface, r);
+  }
+  // flips by the thousand: a noisy mesh with needle triangles
+  for (const auto& [name, surface] : Quartic_test::real_surfaces({"buddha_20k"})) {
+    Visitor visitor;
+    Quartic_differential_result r;
+    quartic_differential(surface, std::nullopt, {}, visitor, r);
+    std::size_t edges = 0;
+    CHECK(worst_cross_ratio(*r.surface, r.metric->metric, edges) < 1e-12);
+    std::cout << name << ": conformal at all " << edges << " of " << surface.number_of_edges()
+              << " edges that no flip has touched" << std::endl;
+    CHECK_EQUAL(defect(*r.t_mesh, *r.differential), "");
+  }
+}
+
+// A divisor given by the user: pinned singularities stay, and what is written can be read and run again.
+void test_own_singularities()
+{
+  const Intrinsic_triangulation input(handle_chain(2, 6));
+  Visitor visitor;
+  Quartic_differential_result first;
+  quartic_differential(input, std::nullopt, {}, visitor, first);
+
+  std::stringstream file;
+  first.singularities[2].pinned = true;
+  write_singularities(file, first.singularities, input);
+  const Divisor again = read_singularities(file, input);
+  CHECK_EQUAL(again.size(), first.singularities.size());
+  CHECK(again[2].pinned && !again[1].pinned);
+  Quartic_differential_result second;
+  quartic_differential(input, again, {}, visitor, second);
+  check_result("its own singularities again", input, second);
+  for (std::size_t i = 0; i < again.size(); ++i) {
+    const Point_3 p = position_on_input(input, first.singularities[i].location);
+    const Point_3 q = position_on_input(input, second.singularities[i].location);
+    CHECK(std::sqrt(CGAL::squared_distance(p, q)) < (i == 2 ? 1e-12 : 1e-2) * std::sqrt(input.area()));
+  }
+
+  std::stringstream some("0 0 0 -1   # one pole\n\n1 0 0 2 pinned\n");
+  Quartic_differential_options repair;
+  CHECK_THROWS(quartic_differential(input, read_singularities(some, input), repair, visitor, second),
+               Infeasible_divisor_error, "degree");
+  repair.repair_degree = true;
+  some.clear();
+  some.seekg(0);
+  quartic_differential(input, read_singularities(some, input), repair, visitor, second);
+  check_result("repaired degree", input, second);
+  CHECK_EQUAL(second.singularities.size(), 2u + 7u);
+
+  for (const char* bad : {"1 2 3", "1 2 x 1", "1 2 3 1.5", "1 2 3 1 fixed", "1 2 3 1 pinned twice", "nan 0 0 1"}) {
+    std::stringstream in(bad);
+    CHECK_THROWS(read_singularities(in, input), Infeasible_divisor_error, "line 1");
+  }
+}
+
+// Higher orders: a pole of order 3, zeros of order 3 and 4.
+void test_high_orders()
+{
+  const Intrinsic_triangulation input(handle_chain(1, 8));
+  Visitor visitor;
+  Quartic_differential_result start;
+  quartic_differential(input, std::nullopt, {}, visitor, start);
+  Divisor d(start.singularities.begin(), start.singularities.begin() + 6);
+  const int orders[6] = {-3, -3, -1, 3, 2, 2};
+  for (int i = 0; i < 6; ++i) d[i].order = orders[i];
+  Quartic_differential_result r;
+  quartic_differential(input, d, {}, visitor, r);
+  check_result("orders -3 to 3", input, r);
+}
+
+void test_flat_torus()
+{
+  const Intrinsic_triangulation input(torus(1, 0.4, 40, 24));
+  Visitor visitor;
+  Quartic_differential_result r;
+  quartic_differential(input, Divisor(), {}, visitor, r);
+  check_result("torus without singularities", input, r);
+  CHECK(!r.t_mesh);
+}
+
+// Any face graph will do, and gives the same up to rounding (its halfedges are numbered otherwise).
+void test_polyhedron()
+{
+  const Mesh mesh = handle_chain(2, 6);
+  CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructions_kernel> polyhedron;
+  CGAL::copy_face_graph(mesh, polyhedron);
+  const Quartic_differential_result r = quartic_differential(polyhedron), s = quartic_differential(mesh);
+  CHECK_EQUAL(r.t_mesh->patches.size(), s.t_mesh->patches.size());
+  CHECK((r.surface->periods.pi - s.surface->periods.pi).cwiseAbs().maxCoeff() < 1e-11);
+
+  Mesh open = mesh;
+  CGAL::Euler::remove_face(*halfedges(open).first, open);
+  CHECK_THROWS(intrinsic_triangulation(open), Unusable_surface_error, "boundary");
+  Mesh two = mesh;
+  two += handle_chain(0, 6);
+  CHECK_THROWS(intrinsic_triangulation(two), Unusable_surface_error, "not connected");
+  CHECK_THROWS(intrinsic_triangulation(Mesh()), Unusable_surface_error, "no triangle");
+}
+
+} // namespace
+
+int main()
+{
+  test_samples();
+  test_own_singularities();
+  test_high_orders();
+  test_flat_torus();
+  test_polyhedron();
+  return Quartic_test::result();
+}

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The program as a user meets it: what it writes, what it prints, and its exit status.
+
+#include "check.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include <sys/wait.h>
+
+namespace fs = std::filesystem;
+
+const fs::path folder = fs::temp_directory_path() / ("quartic_program_" + std::to_string(std::random_device{}()));
+
+struct Outcome
+{
+  int         status;
+  std::string out, err;
+};
+
+std::string contents(const fs::path& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+// runs the program in the temporary folder
+Outcome quartic(const std::string& arguments)
+{
+  const std::string program = Quartic_test::environment("QUARTIC_PROGRAM");
+  const std::string command = "cd '" + folder.string() + "' && '" + program + "' " + arguments + " >out.txt 2>err.txt";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "out.txt"), contents(folder / "err.txt")};
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+void check_failure(const std::string& arguments, int status, const std::string& message)
+{
+  const Outcome o = quartic(arguments);
+  CHECK_EQUAL(o.status, status);
+  if (!contains(o.err, message)) std::cerr << "quartic " << arguments << " said: " << o.err << '\n';
+  CHECK(contains(o.err, message));
+}
+
+void check_help()
+{
+  const Outcome help = quartic("--help");
+  CHECK_EQUAL(help.status, 0);
+  for (const char* command : {"run", "info", "verify", "sample", "Exit status"}) CHECK(contains(help.out, command));
+  CHECK_EQUAL(quartic("--version").status, 0);
+  CHECK_EQUAL(quartic("run --help").status, 0);
+  check_failure("", 1, "subcommand");
+  check_failure("rum x.off", 1, "");
+  check_failure("run chain.off", 1, "output");
+}
+
+void check_sample()
+{
+  CHECK(contains(quartic("sample chain -g 2 -n 6 -o chain.off").out, "genus 2"));
+  CHECK(contains(quartic("sample torus -n 24 -o torus.ply").out, "genus 1"));
+  CHECK(contains(quartic("sample hyperelliptic -g 3 -s 1 -o curve.json").out, "genus 3"));
+  check_failure("sample hyperelliptic -g 3 -o curve.off", 1, "name a .json file");
+  check_failure("sample torus -R 1 -r 2 -o t.off", 1, "-r smaller than -R");
+  check_failure("sample ring -o nowhere/t.off", 1, "cannot be written");
+  check_failure("sample pyramid -o t.off", 1, "KIND");
+}
+
+void check_info()
+{
+  for (const auto& [file, genus] : {std::pair("chain.off", 2), std::pair("torus.ply", 1), std::pair("curve.json", 3)}) {
+    const Outcome o = quartic(std::string("info --json ") + file);
+    CHECK_EQUAL(o.status, 0);
+    const nlohmann::json report = nlohmann::json::parse(o.out);
+    CHECK(report["input"]["genus"] == genus);
+    CHECK_EQUAL(report["homology"]["intersection_matrix"].size(), static_cast<std::size_t>(2 * genus));
+    CHECK_EQUAL(report["period_matrix"]["re"].size(), static_cast<std::size_t>(genus));
+  }
+  check_failure("info missing.off", 2, "missing.off: the file does not exist");
+}
+
+void check_run()
+{
+  const Outcome o = quartic("run chain.off -o results");
+  CHECK_EQUAL(o.status, 0);
+  CHECK(contains(o.out, "rectangles"));
+  for (const char* file : {"flat_intrinsic.json", "flat_intrinsic.obj", "tmesh.json", "tmesh.vtp", "singularities.txt",
+                           "report.json"})
+    CHECK(fs::file_size(folder / "results" / file) > 0);
+  CHECK_EQUAL(quartic("verify results").status, 0);
+  CHECK(quartic("run chain.off -o again -q").out.empty());
+  for (const char* file : {"flat_intrinsic.json", "flat_intrinsic.obj", "tmesh.json", "tmesh.vtp", "singularities.txt"})
+    CHECK(contents(folder / "results" / file) == contents(folder / "again" / file));   // deterministic
+
+  std::string broken = contents(folder / "results" / "tmesh.json");
+  const std::size_t width = broken.find("\"width\":");
+  CHECK(width != std::string::npos);
+  broken.insert(broken.find_first_of("0123456789", width), "1");
+  std::ofstream(folder / "results" / "tmesh.json") << broken;
+  CHECK_EQUAL(quartic("verify results").status, 2);
+}
+
+void check_refused_input()
+{
+  std::ofstream(folder / "open.off") << "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";
+  check_failure("run open.off -o refused", 2, "surfaces with boundary are not supported yet: the edge from vertex 0");
+  CHECK(!fs::exists(folder / "refused"));
+  std::ofstream(folder / "pair.txt") << "3 0 0 1\n-3 0 0 -1\n";
+  check_failure("run torus.ply -o pair --singularities pair.txt", 2, "genus 1");
+  std::ofstream(folder / "degree.txt") << "3 0 0 1\n";
+  check_failure("run torus.ply -o degree --singularities degree.txt", 2, "degree");
+  std::ofstream(folder / "nonsense.txt") << "one two three\n";
+  check_failure("run torus.ply -o nonsense --singularities nonsense.txt", 2, "line 1");
+  check_failure("run torus.ply -o missing --singularities missing.txt", 2, "missing.txt");
+  std::ofstream(folder / "a_file") << "x";
+  check_failure("run torus.ply -o a_file", 1, "a_file");
+}
+
+int main()
+{
+  if (Quartic_test::environment("QUARTIC_PROGRAM").empty()) {
+    std::cout << "skipped: the environment variable QUARTIC_PROGRAM does not name the program" << std::endl;
+    return Quartic_test::skipped;
+  }
+  fs::create_directories(folder);
+  check_help();
+  check_sample();
+  check_info();
+  check_run();
+  check_refused_input();
+  fs::remove_all(folder);
+  return Quartic_test::result();
+}
