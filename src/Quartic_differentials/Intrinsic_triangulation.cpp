@@ -17,7 +17,7 @@ namespace Quartic_differentials {
 
 namespace {
 
-const double pi = 3.14159265358979323846;
+const double pi = CGAL_PI;
 
 bool triangle_inequality_holds(const std::array<double, 3>& l)
 {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/abel_jacobi_map.h>
+#include <CGAL/Quartic_differentials/internal/face_frames.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 
 #include <algorithm>
@@ -13,19 +14,14 @@ namespace Quartic_differentials {
 
 namespace {
 
-const double pi = 3.14159265358979323846;
+const double pi = CGAL_PI;
 
 } // namespace
 
 Eigen::VectorXd turning_numbers(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
                                 const std::vector<double>& angles)
 {
-  // alpha(h): direction of h in a frame of its face whose axis is h0 (METHOD, step 4)
-  const auto alpha = [&](Halfedge h) {
-    const auto [h0, h1, h2] = t.halfedges(t.face(h));
-    if (h == h0) return 0.0;
-    return h == h1 ? pi - angles[h1] : 2 * pi - angles[h1] - angles[h2];
-  };
+  const auto alpha = [&](Halfedge h) { return internal::direction_in_face(t, angles, h); };
   Eigen::VectorXd turning = Eigen::VectorXd::Zero(cochains.size());
   for (Edge e : t.edges()) {
     const Halfedge h = t.halfedge(e);

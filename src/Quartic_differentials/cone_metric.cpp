@@ -9,6 +9,7 @@
 #include <CGAL/Quartic_differentials/holomorphic_forms.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
 #include <CGAL/Quartic_differentials/internal/cone_insertion.h>
+#include <CGAL/Quartic_differentials/internal/face_frames.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/laplacian.h>
 #include <CGAL/Quartic_differentials/legalize_divisor.h>
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <sstream>
 
 namespace CGAL {
@@ -28,7 +28,7 @@ namespace {
 using internal::Inserted_cones;
 using internal::Length_derivatives;
 
-const double pi = 3.14159265358979323846;
+const double pi = CGAL_PI;
 
 std::string scientific(double x)
 {
@@ -220,29 +220,13 @@ double quarter_turn_defect(double angle) { return angle - pi / 2 * std::round(an
 
 double max_transition_error(const Intrinsic_triangulation& t, const std::vector<double>& angles)
 {
-  const auto direction = [&](Halfedge h) {   // of h in the frame of its face, as in `turning_numbers`
-    const auto [h0, h1, h2] = t.halfedges(t.face(h));
-    if (h == h0) return 0.0;
-    return h == h1 ? pi - angles[h1] : 2 * pi - angles[h1] - angles[h2];
+  const auto rotation = [&](Halfedge h) {
+    return internal::direction_in_face(t, angles, t.opposite(h)) - internal::direction_in_face(t, angles, h) + pi;
   };
-  const auto rotation = [&](Halfedge h) { return direction(t.opposite(h)) - direction(h) + pi; };
   std::vector<double> frame(t.number_of_faces(), 0);
-  std::vector<char> seen(t.number_of_faces(), false);
-  std::queue<Face> queue;
-  const Face first = *t.faces().begin();
-  seen[first] = true;
-  queue.push(first);
-  while (!queue.empty()) {
-    const Face f = queue.front();
-    queue.pop();
-    for (Halfedge h : t.halfedges(f)) {
-      const Face g = t.face(t.opposite(h));
-      if (seen[g]) continue;
-      seen[g] = true;
-      frame[g] = std::remainder(frame[f] + rotation(h), 2 * pi);
-      queue.push(g);
-    }
-  }
+  internal::visit_faces_breadth_first(t, [&](Halfedge h) {
+    frame[t.face(t.opposite(h))] = std::remainder(frame[t.face(h)] + rotation(h), 2 * pi);
+  });
   double worst = 0;
   for (Edge e : t.edges()) {
     const Halfedge h = t.halfedge(e);

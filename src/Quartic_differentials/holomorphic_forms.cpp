@@ -15,7 +15,7 @@ namespace Quartic_differentials {
 namespace {
 
 using Complex = std::complex<double>;
-const double pi = 3.14159265358979323846;
+const double pi = CGAL_PI;
 
 // d^T W omega at every vertex: the flux of the form out of it.
 template <class Form>

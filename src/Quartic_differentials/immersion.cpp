@@ -31,7 +31,7 @@ using Complex      = std::complex<double>;
 using Cut_disk     = internal::Cut_disk;
 using Grid_vectors = std::vector<Grid_vector>;
 
-const double pi = 3.14159265358979323846;
+const double pi = CGAL_PI;
 const double largest_rotation_error = 1e-6;
 
 // ---- The layout in floating point numbers
@@ -331,13 +331,15 @@ Quartic_differential immersion(const Intrinsic_triangulation& t, const std::vect
   return q;
 }
 
-void require_no_flipped_triangles(const Immersion_report& report)
+void require_resolved_triangles(const Immersion_report& report)
 {
-  if (report.flipped_triangles == 0) return;
+  const double moved = std::ldexp(std::max(report.largest_move, report.layout_gap), report.grid_exponent);   // grid units
+  if (report.flipped_triangles == 0 && report.min_altitude >= 100 * moved) return;
   std::ostringstream s;
-  s << report.flipped_triangles << " triangles of the flat metric are too small for a grid of 2^-" << report.grid_exponent
-    << " of its size (the smallest altitude is " << report.min_altitude << " grid units, corners moved by "
-    << std::ldexp(report.largest_move, report.grid_exponent)
+  if (report.flipped_triangles > 0) s << report.flipped_triangles << " triangles";
+  else s << "the smallest triangles";
+  s << " of the flat metric are too small for a grid of 2^-" << report.grid_exponent
+    << " of its size (the smallest altitude is " << report.min_altitude << " grid units, the layout is accurate to " << moved
     << "): the scale factors vary too much; use more or better placed singularities";
   throw Numerical_error(s.str());
 }

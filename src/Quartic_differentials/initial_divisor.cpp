@@ -18,7 +18,7 @@ namespace Quartic_differentials {
 
 namespace {
 
-const double pi = 3.14159265358979323846;
+const double pi = CGAL_PI;
 const double smoothing_time = 0.0025;   // of the area
 const double separation = 0.06;         // least distance of the extrema along edges, times sqrt(area)
 
@@ -151,7 +151,7 @@ Divisor curvature_divisor(const Intrinsic_triangulation& t, const std::vector<do
                                    "of genus " + std::to_string(t.genus()) + ", not " + std::to_string(count));
   std::vector<int> counts;
   if (count == 0) {
-    for (int pairs : {0, 2, 4, 6, 8, 12, 16, 20})
+    for (int pairs : {0, 2, 4, 6, 8, 12, 16, 20, 24, 32})
       if (least + 2 * pairs >= 8) counts.push_back(least + 2 * pairs);
   } else {
     counts.push_back(count + (count - least) % 2);

@@ -21,7 +21,7 @@ namespace Quartic_differentials {
 
 namespace {
 
-const double pi = 3.14159265358979323846;
+const double pi = CGAL_PI;
 const double quarter_turn = pi / 2;
 
 std::string signed_number(int n) { return (n > 0 ? "+" : "") + std::to_string(n); }

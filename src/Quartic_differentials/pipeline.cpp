@@ -7,9 +7,9 @@
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/initial_divisor.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
+#include <CGAL/Quartic_differentials/internal/face_frames.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 
-#include <queue>
 #include <sstream>
 
 namespace CGAL {
@@ -139,7 +139,7 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
     const Cone_metric& m = result.metric->metric;
     result.differential = immersion(m.triangulation, m.lengths, m.cones, m.order, input.area(), options.immersion,
                                     result.immersion);
-    require_no_flipped_triangles(result.immersion);
+    require_resolved_triangles(result.immersion);
   }
   if (!result.singularities.empty()) {
     const Timed_step step(visitor, "t_mesh");
@@ -155,22 +155,7 @@ void check_surface(const Intrinsic_triangulation& t)
     if (!(four_times_area(t.length(h[0]), t.length(h[1]), t.length(h[2])) > 0))
       throw Unusable_surface_error("face " + std::to_string(f.idx()) + " has no area");
   }
-  std::vector<char> seen(t.number_of_faces(), false);
-  std::queue<Face> queue;
-  std::size_t reached = 1;
-  queue.push(*t.faces().begin());
-  seen[queue.front()] = true;
-  while (!queue.empty()) {
-    const Face f = queue.front();
-    queue.pop();
-    for (Halfedge h : t.halfedges(f)) {
-      const Face g = t.face(t.opposite(h));
-      if (seen[g]) continue;
-      seen[g] = true;
-      ++reached;
-      queue.push(g);
-    }
-  }
+  const std::size_t reached = internal::visit_faces_breadth_first(t, [](Halfedge) {});
   if (reached != t.number_of_faces())
     throw Unusable_surface_error("the surface is not connected: " + std::to_string(reached) + " of "
                                  + std::to_string(t.number_of_faces()) + " faces hang together with the first");

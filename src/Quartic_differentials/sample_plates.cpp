@@ -6,7 +6,6 @@
 
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
 
-#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <cmath>
@@ -18,7 +17,7 @@ namespace {
 
 using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
 
-const double pi = 3.14159265358979323846;
+const double pi = CGAL_PI;
 
 // A plate with holes:  f(x,y,z) = (z - b(x,y))^2 - t(x,y) D(x,y),  solid where f < 0.
 //   D  smooth minimum of the distances (in effect) to the rim and to the holes

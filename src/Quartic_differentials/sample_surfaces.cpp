@@ -13,7 +13,7 @@ namespace Quartic_differentials {
 
 namespace {
 
-const double pi = 3.14159265358979323846;
+const double pi = CGAL_PI;
 
 } // namespace
 

@@ -11,6 +11,7 @@
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/Text_writer.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 
@@ -18,12 +19,12 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 using namespace CGAL::Quartic_differentials;
+using CGAL::Quartic_differentials::internal::write_file;
 namespace fs = std::filesystem;
 
 namespace {
@@ -47,31 +48,18 @@ void prepare_folder(const fs::path& folder)
   for (const char* name : output_files) fs::remove(folder / name, error);
 }
 
-// Writes under another name first: a file with its final name is whole.
-void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write)
-{
-  const fs::path part = path.string() + ".part";
-  {
-    std::ofstream out(part, std::ios::binary);
-    write(out);
-    out.flush();
-    if (!out) throw Error(path.string() + " cannot be written");
-  }
-  fs::rename(part, path);
-}
-
-void write_results(const fs::path& folder, const Intrinsic_triangulation& input, const Quartic_differential_result& r)
+void write_results(const std::string& folder, const Intrinsic_triangulation& input, const Quartic_differential_result& r)
 {
   if (!r.singularities.empty() && input.is_embedded())
-    write_file(folder / "singularities.txt", [&](std::ostream& out) { write_singularities(out, r.singularities, input); });
+    write_file(folder + "/singularities.txt", [&](std::ostream& out) { write_singularities(out, r.singularities, input); });
   if (r.differential && r.immersion.flipped_triangles == 0) {
-    write_file(folder / "flat_intrinsic.json", [&](std::ostream& out) { write_flat_intrinsic_json(out, *r.differential); });
-    if (input.is_embedded()) write_flat_intrinsic_obj(folder.string(), *r.differential);
+    write_file(folder + "/flat_intrinsic.json", [&](std::ostream& out) { write_flat_intrinsic_json(out, *r.differential); });
+    if (input.is_embedded()) write_flat_intrinsic_obj(folder, *r.differential);
   }
   if (r.t_mesh) {
-    write_file(folder / "tmesh.json", [&](std::ostream& out) { write_t_mesh_json(out, *r.t_mesh, *r.differential); });
+    write_file(folder + "/tmesh.json", [&](std::ostream& out) { write_t_mesh_json(out, *r.t_mesh, *r.differential); });
     if (input.is_embedded())
-      write_file(folder / "tmesh.vtp", [&](std::ostream& out) { write_t_mesh_vtp(out, *r.t_mesh, *r.differential); });
+      write_file(folder + "/tmesh.vtp", [&](std::ostream& out) { write_t_mesh_vtp(out, *r.t_mesh, *r.differential); });
   }
 }
 
@@ -116,7 +104,7 @@ void run(const Run_options& options)
     write_results(options.folder, input, result);
   }
   const Json report = run_report(facts, result);
-  write_file(fs::path(options.folder) / "report.json", [&](std::ostream& out) { out << report.dump(1) << '\n'; });
+  write_file(options.folder + "/report.json", [&](std::ostream& out) { out << report.dump(1) << '\n'; });
   if (!options.quiet) {
     print_summary(std::cout, report);
     std::cout << "  results           " << options.folder << (failure ? " (as far as the run came)\n" : "\n");

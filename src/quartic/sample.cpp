@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -69,7 +70,7 @@ void write_embedded(const Sample_options& options)
 
 void check_usage(const Sample_options& options)
 {
-  const bool json = CGAL::IO::internal::get_file_extension(options.file) == "json";
+  const bool json = std::filesystem::path(options.file).extension() == ".json";
   if (options.kind == "hyperelliptic") {
     if (options.genus < 1) throw Error("a hyperelliptic surface has at least genus 1");
     if (!json) throw Error("a hyperelliptic surface is known by its edge lengths only: name a .json file");

@@ -39,6 +39,8 @@ void check_report(const Json& report)
   for (const Json& row : report["holonomy"]) CHECK(std::abs(row["error_degrees"].get<double>()) < 1e-8);
   CHECK(report["max_holonomy_error_radians"].get<double>() <= 1e-10);
   CHECK(report["immersion"]["flips"] == 0);
+  const double distortion = report["quality"]["conformal_distortion"]["mean"].get<double>();
+  CHECK(distortion >= 1 && distortion < 1.5);
 }
 
 void test(const std::string& mesh, const fs::path& folder)

@@ -40,7 +40,7 @@ struct Immersion_report
 ///
 /// The exactness of the transitions is guaranteed for every input that is accepted. Not guaranteed: that the smallest
 /// triangles keep their orientation when they are moved to the grid; `report.flipped_triangles` counts those that did
-/// not, and `require_no_flipped_triangles()` refuses them.
+/// not, and `require_resolved_triangles()` refuses them.
 ///
 /// \param flat_lengths by edge of t: a flat metric with cones at the singularities and holonomy in multiples of 90 degrees
 /// \param singularities the vertices of the divisor
@@ -55,8 +55,9 @@ Quartic_differential immersion(const Intrinsic_triangulation& t, const std::vect
                                const std::vector<Vertex>& singularities, const std::vector<int>& order,
                                double surface_area, const Immersion_options& options, Immersion_report& report);
 
-/// \throws Numerical_error if a triangle is flipped or degenerate: the sentence says how many, and what helps
-void require_no_flipped_triangles(const Immersion_report& report);
+/// \throws Numerical_error if a triangle is flipped or degenerate, or its smallest altitude is under 100 times the
+///         rounding of the layout (its shape is then a matter of rounding): the sentence says how many, and what helps
+void require_resolved_triangles(const Immersion_report& report);
 
 } } // namespace CGAL::Quartic_differentials
 

@@ -8,10 +8,12 @@
 #include <CGAL/Quartic_differentials/exceptions.h>
 
 #include <charconv>
+#include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <type_traits>
 
 namespace CGAL {
@@ -53,16 +55,20 @@ private:
   std::string   m_buffer;
 };
 
-/// opens a file, calls `write(out)` and closes it.
+/// opens a file, calls `write(out)` and closes it. The file has another name until it is whole.
 /// \throws Error if the file cannot be written to its end
 template <class Write>
 void write_file(const std::string& path, Write write)
 {
-  std::ofstream out(path, std::ios::binary);
-  if (!out) throw Error("cannot open " + path + " for writing");
+  const std::string part = path + ".part";
+  std::ofstream out(part, std::ios::binary);
+  if (!out) throw Error("cannot open " + part + " for writing");
   write(out);
   out.close();
-  if (!out) throw Error("cannot write " + path + " to its end");
+  if (!out) throw Error("cannot write " + part + " to its end");
+  std::error_code error;
+  std::filesystem::rename(part, path, error);
+  if (error) throw Error("cannot give " + part + " its final name");
 }
 
 } } } // namespace CGAL::Quartic_differentials::internal
