@@ -16,6 +16,14 @@ namespace {
 
 const double pi = CGAL_PI;
 
+// Sum_j order_j ^g(z_j), on sheet 0
+Eigen::VectorXd potential_of(const Abel_jacobi_map& map, const std::vector<Holomorphic_zero>& zeros)
+{
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(map.dimension());
+  for (const Holomorphic_zero& z : zeros) sum += z.order * map.potential(map.lift(z.location)).transpose();
+  return sum;
+}
+
 } // namespace
 
 Eigen::VectorXd turning_numbers(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
@@ -39,6 +47,13 @@ Abel_jacobi_map::Abel_jacobi_map(const Intrinsic_triangulation& t, const Integer
   const std::vector<double> angles = corner_angles(t, t.lengths()), k = curvatures(t, angles);
   m_constant = turning_numbers(t, cochains, angles)
              - forms.potential.transpose() * Eigen::Map<const Eigen::VectorXd>(k.data(), k.size());
+}
+
+Abel_jacobi_map::Abel_jacobi_map(const Intrinsic_triangulation& t, const Harmonic_1_forms& forms,
+                                 const std::vector<Holomorphic_zero>& zeros)
+  : m_t(t), m_forms(forms), m_constant(Eigen::VectorXd::Zero(forms.size()))
+{
+  m_constant = 2 * pi * potential_of(*this, zeros);
 }
 
 Lifted_point Abel_jacobi_map::lift(const Surface_point& p) const
@@ -91,30 +106,12 @@ Eigen::MatrixXd Abel_jacobi_map::jacobian(const Lifted_divisor& points, const st
   return j;
 }
 
-namespace {
-
-// 4 Sum_j order_j ^g(z_j), on sheet 0
-Eigen::VectorXd four_times_potential_of_zeros(const Abel_jacobi_map& map, const std::vector<Holomorphic_zero>& zeros)
-{
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(map.dimension());
-  for (const Holomorphic_zero& z : zeros) sum += 4 * z.order * map.potential(map.lift(z.location)).transpose();
-  return sum;
-}
-
-} // namespace
-
-Eigen::VectorXd residual_by_zeros(const Abel_jacobi_map& map, const std::vector<Holomorphic_zero>& zeros,
-                                  const Lifted_divisor& points, const std::vector<int>& orders)
-{
-  return map.residual(points, orders) - map.constant() + 0.5 * pi * four_times_potential_of_zeros(map, zeros);
-}
-
 Abel_jacobi_image abel_jacobi_image(const Abel_jacobi_map& map, const Period_matrix& periods,
                                     const std::vector<Holomorphic_zero>& zeros, const Eigen::VectorXd& residual,
                                     const Eigen::VectorXd& nearest)
 {
   const int g = map.dimension() / 2;
-  const Eigen::VectorXd turns = (map.constant() - 0.5 * pi * four_times_potential_of_zeros(map, zeros)) / (2 * pi);
+  const Eigen::VectorXd turns = map.constant() / (2 * pi) - potential_of(map, zeros);
   const Eigen::VectorXd m = -(nearest - 4 * turns.array().round().matrix());
   const Eigen::VectorXd rho = -(residual - 0.5 * pi * nearest) / (0.5 * pi);
   Abel_jacobi_image image;

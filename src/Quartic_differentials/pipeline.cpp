@@ -123,7 +123,8 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
   std::optional<Abel_jacobi_map> map;
   {
     const Timed_step step(visitor, "abel_jacobi");
-    map.emplace(s.delaunay, s.homology.cochains, s.forms);
+    if (options.route == Abel_jacobi_route::curvature) map.emplace(s.delaunay, s.homology.cochains, s.forms);
+    else map.emplace(s.delaunay, s.forms, s.zeros);
     result.initial = starting_divisor(s, singularities, options);
   }
   {

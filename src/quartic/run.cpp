@@ -131,7 +131,15 @@ void add_run(CLI::App& app)
   const std::map<std::string, Lattice_norm> norms{{"movement", Lattice_norm::movement}, {"paper", Lattice_norm::paper}};
   command->add_option("--norm", options->pipeline.legalization.norm,
                       "Norm of the integer program: 'movement' moves the singularities least, 'paper' is Euclidean")
-         ->transform(CLI::CheckedTransformer(norms, CLI::ignore_case))->default_str("movement");
+         ->transform(CLI::CheckedTransformer(norms, CLI::ignore_case).description(""))
+         ->type_name("movement|paper")->default_str("movement");
+  const std::map<std::string, Abel_jacobi_route> routes{{"curvature", Abel_jacobi_route::curvature},
+                                                        {"zeros", Abel_jacobi_route::zeros}};
+  command->add_option("--abel-jacobi", options->pipeline.route,
+                      "Compute the Abel-Jacobi map from the 'curvature', consistent with the mesh, or as the paper does "
+                      "from the 'zeros' of a holomorphic 1-form")
+         ->transform(CLI::CheckedTransformer(routes, CLI::ignore_case).description(""))
+         ->type_name("curvature|zeros")->default_str("curvature");
   command->add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
   command->callback([options] { run(*options); });
 }

@@ -42,18 +42,30 @@ using Lifted_divisor = std::vector<Lifted_point>;
 Eigen::VectorXd turning_numbers(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
                                 const std::vector<double>& angles);
 
-/// The Abel-Jacobi map of a surface as the holonomy of its conformal cone metrics: consistent with the discretisation.
-/// Keeps references to its arguments.
+/// The two routes to the Abel-Jacobi map. They differ by O(discretisation) modulo 2 pi.
+enum class Abel_jacobi_route
+{
+  curvature,   ///< F as above: consistent with the discretisation
+  zeros        ///< the paper's, through the zeros z_j of a holomorphic form: (pi/2) (4 Sum_j ^g(z_j) - Sum_i n_i ^g(p_i))
+};
+
+/// The Abel-Jacobi map of a surface, in the coordinates in which the Jacobian's lattice is (pi/2) Z^2g.
+/// Keeps references to the triangulation and the forms.
 class Abel_jacobi_map
 {
 public:
+  /// by curvature
   Abel_jacobi_map(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Harmonic_1_forms& forms);
+  /// by zeros.
+  /// \param zeros the divisor of a holomorphic 1-form, degree 2g - 2
+  Abel_jacobi_map(const Intrinsic_triangulation& t, const Harmonic_1_forms& forms,
+                  const std::vector<Holomorphic_zero>& zeros);
 
   const Intrinsic_triangulation& triangulation() const { return m_t; }
   const Harmonic_1_forms& forms() const { return m_forms; }
   int dimension() const { return m_forms.size(); }
 
-  /// T_k - Sum_v g_k(v) K_v
+  /// the part of F that does not depend on the divisor: T_k - Sum_v g_k(v) K_v, or 2 pi Sum_j ^g(z_j)
   const Eigen::VectorXd& constant() const { return m_constant; }
 
   /// a point on the sheet 0, moved into the interior of its face by 1e-9 if it lies on its boundary
@@ -77,12 +89,6 @@ private:
   const Harmonic_1_forms&        m_forms;
   Eigen::VectorXd                m_constant;
 };
-
-/// F by the paper's route, through the zeros z_j of a holomorphic form: (pi/2) (4 Sum_j ^g(z_j) - Sum_i n_i ^g(p_i)).
-/// It differs from `Abel_jacobi_map::residual` by O(discretisation) modulo 2 pi.
-/// \param zeros the divisor of a holomorphic 1-form, degree 2g - 2
-Eigen::VectorXd residual_by_zeros(const Abel_jacobi_map& map, const std::vector<Holomorphic_zero>& zeros,
-                                  const Lifted_divisor& points, const std::vector<int>& orders);
 
 /// The paper's integers and complex numbers for a divisor with F = (pi/2) m + remainder.
 struct Abel_jacobi_image

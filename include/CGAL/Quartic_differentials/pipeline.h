@@ -50,6 +50,7 @@ struct Quartic_differential_options
 {
   int                  count = 0;               ///< singularities when none are given; 0: automatic
   bool                 repair_degree = false;   ///< add simple singularities until the degree is 8g-8
+  Abel_jacobi_route    route = Abel_jacobi_route::curvature;
   Legalization_options legalization;
   Cone_metric_options  cone_metric;
   Immersion_options    immersion;
