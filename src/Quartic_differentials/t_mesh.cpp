@@ -4,7 +4,7 @@
 
 #include <CGAL/Quartic_differentials/t_mesh.h>
 
-#include "motorcycle_tracing.h"
+#include "internal/motorcycle_tracing.h"
 
 #include <CGAL/Quartic_differentials/exceptions.h>
 

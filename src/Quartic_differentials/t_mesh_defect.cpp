@@ -4,7 +4,7 @@
 
 #include <CGAL/Quartic_differentials/t_mesh.h>
 
-#include "grid_lines.h"
+#include "internal/grid_lines.h"
 
 #include <string>
 
