@@ -165,8 +165,8 @@ void flipped_triangles_are_reported()
   CHECK_THROWS(require_resolved_triangles(report), Numerical_error, "use more or better placed singularities");
 
   immersion(s.triangulation, s.triangulation.lengths(), s.singularities, s.order, 1, {}, report);
-  CHECK_EQUAL(report.flipped_triangles, 0u);
-  require_resolved_triangles(report);
+  CHECK_EQUAL(report.flipped_triangles, 0u);   // but the needles' shapes are a matter of rounding
+  CHECK_THROWS(require_resolved_triangles(report), Numerical_error, "the smallest triangles");
 }
 
 // every field that `defect()` looks at, spoilt
