@@ -86,13 +86,18 @@ Run run_once(const Subject& subject)
   return run;
 }
 
+std::string fixed(double x, int decimals)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", decimals, x);
+  return text;
+}
+
 // A dash for what was not measured.
 std::string cell(double x)
 {
   if (std::isnan(x)) return "–";
-  char text[32];
-  std::snprintf(text, sizeof text, x < 10 ? "%.3f" : "%.1f", x);
-  return text;
+  return fixed(x, x < 10 ? 3 : 1);
 }
 
 double median_of(const std::vector<Run>& runs, const std::string& column)
@@ -130,7 +135,7 @@ void print_header()
 // The paper's row under ours: its forms and zeros are our steps 1 to 3, its Ricci flow is our cone metric.
 void print_paper_row(const Paper_times& paper)
 {
-  const auto thousands = [](double x) { return cell(x) + "k"; };
+  const auto thousands = [](double x) { return fixed(x, 1) + "k"; };
   const double zeros = std::isnan(paper.zeros) ? 0 : paper.zeros;   // genus 1: a holomorphic form has none
   const Run times{{"holomorphic_forms", paper.holomorphic_forms}, {"steps 1-3", paper.holomorphic_forms + zeros},
                   {"legalization", paper.legalization}, {"cone_metric", paper.ricci_flow},

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <map>
 #include <queue>
 #include <string>
@@ -118,17 +117,21 @@ private:
   std::vector<Vertex>            m_maxima_first, m_minima_first;
 };
 
-// The range of log scales of the linearised flat metric, L u = K_target - K.
-double range_of_scales(const Intrinsic_triangulation& t, const Laplacian_solver& laplacian, const Divisor& divisor)
+// The range of log scales of the linearised flat metric, L u = K_target - K, for every divisor.
+std::vector<double> ranges_of_scales(const Intrinsic_triangulation& t, const Laplacian_solver& laplacian,
+                                     const std::vector<Divisor>& divisors)
 {
   const std::vector<double> k = curvatures(t, corner_angles(t, t.lengths()));
-  Eigen::VectorXd b = -Eigen::Map<const Eigen::VectorXd>(k.data(), k.size());
-  for (const Singularity& s : divisor) {
-    const auto h = t.halfedges(s.location.face);
-    for (int c = 0; c < 3; ++c) b[t.source(h[c])] -= s.location.barycentric[c] * s.order * pi / 2;
-  }
-  const Eigen::VectorXd u = laplacian.solve(b);
-  return u.maxCoeff() - u.minCoeff();
+  Eigen::MatrixXd b = -Eigen::Map<const Eigen::VectorXd>(k.data(), k.size()).replicate(1, divisors.size());
+  for (std::size_t d = 0; d < divisors.size(); ++d)
+    for (const Singularity& s : divisors[d]) {
+      const auto h = t.halfedges(s.location.face);
+      for (int c = 0; c < 3; ++c) b(t.source(h[c]).idx(), d) -= s.location.barycentric[c] * s.order * pi / 2;
+    }
+  const Eigen::MatrixXd u = laplacian.solve(b);
+  std::vector<double> ranges;
+  for (Eigen::Index d = 0; d < u.cols(); ++d) ranges.push_back(u.col(d).maxCoeff() - u.col(d).minCoeff());
+  return ranges;
 }
 
 Divisor simple_divisor(const Intrinsic_triangulation& t, const std::vector<Vertex>& poles,
@@ -158,25 +161,19 @@ Divisor curvature_divisor(const Intrinsic_triangulation& t, const std::vector<do
   }
 
   const Extremum_picker picker(t, weights);
-  Divisor best;
-  double least_range = std::numeric_limits<double>::infinity();
+  std::vector<Divisor> candidates;
   for (int n : counts) {
     const std::size_t poles = (n - needed) / 2, zeros = (n + needed) / 2;
     Extremum_picker p = picker;
     const std::vector<Vertex> at_maxima = p.pick(static_cast<int>(poles), +1);
     const std::vector<Vertex> at_minima = p.pick(static_cast<int>(zeros), -1);
-    if (at_maxima.size() < poles || at_minima.size() < zeros) continue;
-    const Divisor divisor = simple_divisor(t, at_maxima, at_minima);
-    const double range = range_of_scales(t, laplacian, divisor);
-    if (range < least_range) {
-      least_range = range;
-      best = divisor;
-    }
+    if (at_maxima.size() == poles && at_minima.size() == zeros) candidates.push_back(simple_divisor(t, at_maxima, at_minima));
   }
-  if (best.empty())
+  if (candidates.empty())
     throw Infeasible_divisor_error("the surface has no room for " + std::to_string(counts.front()) + " singularities "
                                    + std::to_string(separation) + " sqrt(area) apart");
-  return best;
+  const std::vector<double> ranges = ranges_of_scales(t, laplacian, candidates);
+  return candidates[std::min_element(ranges.begin(), ranges.end()) - ranges.begin()];
 }
 
 Divisor with_repaired_degree(const Intrinsic_triangulation& t, const std::vector<double>& weights, Divisor divisor)

@@ -143,13 +143,13 @@ std::vector<Surface_point> locations(const Lifted_divisor& points)
   return result;
 }
 
-// The reason why two singularities are too near, or "".
+// Two singularities that are too near each other and their distance, or "".
 std::string collision(const Intrinsic_triangulation& t, const Divisor& d, const Lifted_divisor& points, double least,
                       double size)
 {
   const Nearest_singularities n = nearest_singularities(t, locations(points), least * size);
   if (!(n.distance < least * size)) return {};
-  return name(d, n.first) + " and " + name(d, n.second) + " run into each other (distance "
+  return name(d, n.first) + " and " + name(d, n.second) + " (distance "
        + std::to_string(n.distance / size) + ", at least " + std::to_string(least) + " sqrt(area) is asked for)";
 }
 
@@ -219,7 +219,7 @@ Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& 
     start.moved_by.push_back(0);
   }
   if (const std::string reason = collision(t, divisor, start.points, options.least_distance, size); !reason.empty())
-    throw Infeasible_divisor_error(reason);
+    throw Infeasible_divisor_error("too near each other: " + reason);
 
   const Eigen::VectorXd x = start.residual(map) / quarter_turn;
   const Eigen::VectorXd rounded = x.array().round();
@@ -259,7 +259,8 @@ Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& 
     legal.tried = tried;
     return legal;
   }
-  if (!collided.empty()) throw Infeasible_divisor_error(collided + ", for each of the " + std::to_string(tried)
+  if (!collided.empty()) throw Infeasible_divisor_error("singularities run into each other: " + collided
+                                                        + ", for each of the " + std::to_string(tried)
                                                         + " nearest lattice vectors that could be reached");
   throw Numerical_error("no lattice vector of " + std::to_string(tried) + " could be reached by moving the singularities; "
                         "the best residual is " + std::to_string(best) + " rad");

@@ -121,7 +121,7 @@ void test_refusals()
   CHECK_THROWS(torus_setting.legalized({at(t, 3, 4), at(t, 900, -4)}), Infeasible_divisor_error, "cone angle");
   CHECK_THROWS(torus_setting.legalized({at(t, 3, 0)}), Infeasible_divisor_error, "regular point");
   CHECK_THROWS(torus_setting.legalized({at(t, 3, 1), at(t, 3, 1), at(t, 900, -2)}), Infeasible_divisor_error,
-               "run into each other");
+               "too near each other");
   // z1 + z2 = 2 p may be solved only by z1 = z2 = p on the nearest lattice vectors; elsewhere it is legal
   const Legal_divisor split = torus_setting.legalized({at(t, 3, 1), at(t, 500, 1), at(t, 1200, -1), at(t, 1600, -1)});
   CHECK(split.history.back() <= 1e-12);
