@@ -76,30 +76,32 @@ std::vector<double> moved_scales(const std::vector<double>& u, double step, cons
   return result;
 }
 
-// Newton's method: L d = -(K - target). A step is accepted if it shrinks the error, or if the (convex) energy still
-// falls along it. Once the tolerance is reached, full steps go on as long as they halve the error, down to a hundredth
-// of it: what is left at the vertices adds up along loops.
+// Newton's method: L d = -(K - target). Along d the norm of the error falls at first, so that a step that shrinks it is
+// always found, but for rounding. Once the tolerance is reached, full steps with the last factorisation go on as long as
+// they halve the error, down to a hundredth of it: what is left at the vertices adds up along loops.
 void newton(Flow& flow, Laplacian_solver& laplacian, const Cone_metric_options& options, Visitor& visitor)
 {
   Cone_metric& m = flow.metric;
   Eigen::VectorXd error = curvature_error(m, evaluate(flow, m.u));
   m.flow.history.assign(1, largest(error));
+  bool factorized = false;
   while (m.flow.history.back() > 0.01 * m.flow.tolerance && m.flow.newton_iterations < options.newton_iterations) {
     if (!visitor.go_further()) throw Cancelled_error("stopped during the discrete Ricci flow");
-    laplacian.factorize(m.triangulation, cotangent_weights(m.triangulation, m.lengths));
+    const bool polishing = m.flow.history.back() <= m.flow.tolerance;
+    if (!polishing || !factorized) {
+      laplacian.factorize(m.triangulation, cotangent_weights(m.triangulation, m.lengths));
+      factorized = true;
+    }
     // the errors add up to zero (Gauss-Bonnet) but for rounding, which is spread evenly
     Eigen::VectorXd direction = -laplacian.solve((error.array() - error.mean()).matrix()).col(0);
     direction.array() -= direction.mean();
-    const bool polishing = m.flow.history.back() <= m.flow.tolerance;
-    const double slope = error.dot(direction), longest = largest(direction), shortest_step = polishing ? 0.75 : 1e-8;
+    const double longest = largest(direction), shortest_step = polishing ? 0.75 : 1e-8;
     bool accepted = false;
     for (double step = longest > 10 ? 10 / longest : 1; step > shortest_step && !accepted; step /= 2) {
       const std::vector<double> u = moved_scales(m.u, step, direction);
       const Eigen::VectorXd tried = curvature_error(m, evaluate(flow, u));
-      const double slope_there = tried.dot(direction);
       accepted = polishing ? largest(tried) < 0.5 * m.flow.history.back()
-                           : tried.norm() < error.norm() * (1 - 1e-4 * step)
-                             || (slope_there <= 0 && slope_there > 0.999 * slope);
+                           : tried.norm() < error.norm() * (1 - 1e-4 * step);
       if (accepted) {
         error = tried;
         m.u = u;

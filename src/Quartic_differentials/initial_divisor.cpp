@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <queue>
 #include <string>
@@ -19,6 +20,7 @@ namespace {
 
 const double pi = CGAL_PI;
 const double smoothing_time = 0.0025;   // of the area
+const double slack = 1.1;               // fewer singularities are worth that factor of the range of log scales
 const double separation = 0.06;         // least distance of the extrema along edges, times sqrt(area)
 
 // A point well inside a face next to v.
@@ -45,6 +47,9 @@ public:
   {
     const std::vector<double> k = curvatures(t, corner_angles(t, t.lengths()));
     m_curvature = heat_smoothed(t, weights, smoothing_time * t.area(), Eigen::Map<const Eigen::VectorXd>(k.data(), k.size()));
+    // what differs by rounding only, as on symmetric surfaces, counts as equal: then the vertices' order decides
+    const double grain = std::max(1e-9 * m_curvature.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
+    m_curvature = (m_curvature / grain).array().round();
     m_maxima_first = ordered(+1);
     m_minima_first = ordered(-1);
   }
@@ -113,7 +118,7 @@ private:
   const Intrinsic_triangulation& m_t;
   double                         m_radius;
   std::vector<char>              m_taken;
-  Eigen::VectorXd                m_curvature;
+  Eigen::VectorXd                m_curvature;   // smoothed, in whole grains
   std::vector<Vertex>            m_maxima_first, m_minima_first;
 };
 
@@ -173,7 +178,8 @@ Divisor curvature_divisor(const Intrinsic_triangulation& t, const std::vector<do
     throw Infeasible_divisor_error("the surface has no room for " + std::to_string(counts.front()) + " singularities "
                                    + std::to_string(separation) + " sqrt(area) apart");
   const std::vector<double> ranges = ranges_of_scales(t, laplacian, candidates);
-  return candidates[std::min_element(ranges.begin(), ranges.end()) - ranges.begin()];
+  const double enough = slack * *std::min_element(ranges.begin(), ranges.end());
+  return candidates[std::find_if(ranges.begin(), ranges.end(), [&](double r) { return r <= enough; }) - ranges.begin()];
 }
 
 Divisor with_repaired_degree(const Intrinsic_triangulation& t, const std::vector<double>& weights, Divisor divisor)

@@ -13,12 +13,12 @@ namespace Quartic_differentials {
 
 /// chooses simple poles at maxima and simple zeros at minima of the smoothed Gaussian curvature.
 ///
-/// Without a count, that number of singularities is taken, of a few near the minimum |8g-8|, whose linearised flat
-/// metric has the least range of scales.
+/// Without a count, the least number of singularities is taken, of ten from the minimum |8g-8| to 64 more, whose
+/// linearised flat metric has a range of scales within 1.1 times the least.
 /// \param count number of singularities; the next count of the right parity is taken; 0: automatic
 /// \throws Infeasible_divisor_error if the surface has no room for that many
 /// Complexity: one factorisation for the smoothing, one back-substitution for every count tried.
-/// Source: METHOD, steps 5 ("degree repair") and 6; paper, section 4.5.
+/// Source: METHOD, step 5; paper, section 4.5.
 Divisor curvature_divisor(const Intrinsic_triangulation& t, const std::vector<double>& weights,
                           const Laplacian_solver& laplacian, int count);
 
