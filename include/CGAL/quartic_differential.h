@@ -25,7 +25,8 @@ namespace Quartic_differentials {
 
 /// copies a triangle mesh into the form in which the steps work.
 ///
-/// Vertices and faces keep their order.
+/// Vertices and faces keep their order, and faces their first halfedge: barycentric coordinates of a `Surface_point` in
+/// face number i refer to source(h), target(h), target(next(h)) with h = halfedge(f, mesh) of the i-th face f.
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 /// \cgalNamedParamsBegin
@@ -55,7 +56,9 @@ Intrinsic_triangulation intrinsic_triangulation(const TriangleMesh& mesh,
   }
   for (auto f : faces(mesh)) {
     const auto h = halfedge(f, mesh);
-    copy.add_face(vertex_of[source(h, mesh)], vertex_of[target(h, mesh)], vertex_of[target(next(h, mesh), mesh)]);
+    const Vertex a = vertex_of[source(h, mesh)], b = vertex_of[target(h, mesh)], c = vertex_of[target(next(h, mesh), mesh)];
+    const Face g = copy.add_face(a, b, c);
+    copy.set_halfedge(g, copy.halfedge(a, b));
   }
   Intrinsic_triangulation result(std::move(copy));
   check_surface(result);

@@ -23,10 +23,14 @@ const double smoothing_time = 0.0025;   // of the area
 const double slack = 1.1;               // fewer singularities are worth that factor of the range of log scales
 const double separation = 0.06;         // least distance of the extrema along edges, times sqrt(area)
 
-// A point well inside a face next to v.
+// A point well inside a face next to v: the one left of the edge to the neighbour of least index, so that it does not
+// depend on how halfedges are numbered.
 Surface_point beside(const Intrinsic_triangulation& t, Vertex v)
 {
-  const Halfedge h = t.halfedge_from(v);
+  const Halfedge first = t.halfedge_from(v);
+  Halfedge h = first;
+  for (Halfedge k = t.next_around_source(first); k != first; k = t.next_around_source(k))
+    if (t.target(k) < t.target(h)) h = k;
   Surface_point p{t.face(h), {0.3, 0.3, 0.3}};
   p.barycentric[t.corner(h)] = 0.4;
   return p;

@@ -99,6 +99,14 @@ void check_run()
   for (const char* file : {"flat_intrinsic.json", "flat_intrinsic.obj", "tmesh.json", "tmesh.vtp", "singularities.txt"})
     CHECK(contents(folder / "results" / file) == contents(folder / "again" / file));   // deterministic
 
+  const auto timeless_report = [](const char* run) {
+    nlohmann::json report = nlohmann::json::parse(contents(folder / run / "report.json"));
+    report.erase("timings");
+    report.erase("peak_memory_bytes");
+    return report;
+  };
+  CHECK(timeless_report("results") == timeless_report("again"));
+
   std::string broken = contents(folder / "results" / "tmesh.json");
   const std::size_t width = broken.find("\"width\":");
   CHECK(width != std::string::npos);

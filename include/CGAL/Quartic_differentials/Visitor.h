@@ -19,7 +19,7 @@ public:
   /// is called when a step of the pipeline begins; `name` is its key in the report's timings.
   virtual void step_begins(const std::string& /*name*/) {}
 
-  /// is called when a step ends; `seconds` is its wall-clock time.
+  /// is called when a step ends; `seconds` is its wall-clock time. Must not throw.
   virtual void step_ends(const std::string& /*name*/, double /*seconds*/) {}
 
   /// is called inside iterative steps with one line for a person.
