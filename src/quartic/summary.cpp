@@ -62,6 +62,8 @@ void print_summary(std::ostream& out, const Json& report)
   if (report.contains("tmesh"))
     row(out, "T-mesh", std::to_string(report["tmesh"]["patches"].get<std::size_t>()) + " rectangles, "
         + std::to_string(report["tmesh"]["t_junctions"].get<int>()) + " T-junctions");
+  else if (report["status"] == "done")
+    row(out, "T-mesh", "none: it starts from singularities, and there is none");
   row(out, "time", number(report["timings"]["total"]) + " s, "
       + number(report["peak_memory_bytes"].get<double>() / (1 << 20)) + " MiB");
 }
