@@ -76,7 +76,7 @@ void place_singularities(const Intrinsic_triangulation& input, Quartic_different
   for (std::size_t i = 0; i < r.singularities.size(); ++i) {
     Surface_point& p = r.singularities[i].location;
     p = r.surface->refinement->to_input(p);
-    if (const Vertex v = r.metric->metric.cones[i]; v.idx() >= input.number_of_vertices())
+    if (const Vertex v = r.metric->metric.cones[i]; input.is_embedded() && v.idx() >= input.number_of_vertices())
       r.metric->metric.triangulation.set_point(v, position_on_input(input, p));
   }
 }
