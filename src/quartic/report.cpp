@@ -69,13 +69,20 @@ Json holonomy_of(const std::string& loop, double radians)
           {"error_degrees", quarter_turn_defect(radians) * 180 / CGAL_PI}};
 }
 
+// the turning of a loop modulo 360 degrees, from -135 to 225: multiples of 90 are then -1, 0, 1, 2 whatever the rounding
+double reduced_turning(double radians)
+{
+  const double reduced = std::remainder(radians, 2 * CGAL_PI);
+  return reduced < -0.75 * CGAL_PI ? reduced + 2 * CGAL_PI : reduced;
+}
+
 // the paper's table 2: the rotation along every basis loop and round every singularity
 Json holonomy_report(const Exact_cone_metric& m)
 {
   Json table = Json::array();
   const int n = static_cast<int>(m.turning.size());
   for (int k = 0; k < n; ++k)
-    table.push_back(holonomy_of(loop_name(k, n / 2), std::remainder(m.turning[k], 2 * CGAL_PI)));
+    table.push_back(holonomy_of(loop_name(k, n / 2), reduced_turning(m.turning[k])));
   const std::vector<double> curvature = curvatures(m.metric.triangulation, m.metric.angles);
   for (std::size_t i = 0; i < m.metric.cones.size(); ++i)
     table.push_back(holonomy_of("singularity " + std::to_string(i + 1), 2 * CGAL_PI - curvature[m.metric.cones[i]]));
