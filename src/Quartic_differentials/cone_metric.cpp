@@ -111,9 +111,9 @@ void newton(Flow& flow, Laplacian_solver& laplacian, const Cone_metric_options& 
       error = curvature_error(m, evaluate(flow, m.u));
       break;
     }
-    ++m.flow.newton_iterations;
+    ++(polishing ? m.flow.polishing_steps : m.flow.newton_iterations);
     m.flow.history.push_back(largest(error));
-    visitor.progress("flow, step " + std::to_string(m.flow.newton_iterations) + ": curvature error "
+    visitor.progress("flow, step " + std::to_string(m.flow.history.size() - 1) + ": curvature error "
                      + scientific(m.flow.history.back()) + ", " + std::to_string(m.flow.flips) + " flips");
   }
   m.flow.max_curvature_error = largest(error);

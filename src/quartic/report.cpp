@@ -114,7 +114,8 @@ Json singularities_report(const Run_facts& facts, const Quartic_differential_res
 
 Json flow_report(const Exact_cone_metric& m)
 {
-  return {{"newton_iterations", m.first_flow.newton_iterations}, {"flips", m.first_flow.flips},
+  return {{"newton_iterations", m.first_flow.newton_iterations},
+          {"polishing_steps", m.first_flow.polishing_steps}, {"flips", m.first_flow.flips},
           {"max_curvature_error", m.metric.flow.max_curvature_error}, {"tolerance", m.metric.flow.tolerance},
           {"history", m.first_flow.history}, {"holonomy_iterations", m.history.size() - 1},
           {"holonomy_history", m.history}};

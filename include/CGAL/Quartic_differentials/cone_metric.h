@@ -37,7 +37,8 @@ struct Cone_metric_options
 /// How a discrete Ricci flow went.
 struct Flow_report
 {
-  int                 newton_iterations = 0;
+  int                 newton_iterations = 0;     ///< until the tolerance was reached
+  int                 polishing_steps = 0;       ///< past the tolerance, with the last factorisation
   std::size_t         flips = 0;
   double              max_curvature_error = 0;   ///< radians
   double              tolerance = 0;
