@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_COARSE_SURFACE_H
+#define CGAL_QUARTIC_DIFFERENTIALS_COARSE_SURFACE_H
+
+#include <CGAL/Quartic_differentials/Integer_cochains.h>
+#include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+/// A surface of fewer triangles with nearly the same conformal structure: some of the vertices, and new edge lengths.
+struct Coarse_surface
+{
+  Intrinsic_triangulation triangulation;   ///< intrinsic Delaunay, indices compact
+  Integer_cochains        cochains;        ///< the same cohomology classes
+  std::vector<double>     mass;            ///< by vertex: its share of the area of the fine surface (they sum up to it)
+  std::vector<Vertex>     fine_vertex;     ///< by vertex: the vertex of the fine surface that it is
+};
+
+/// removes vertices until `vertices` are left, or none can be removed, deterministically.
+///
+/// To remove a vertex, the edges at it are scaled by one factor so that its angles sum up to 2 pi, a discrete conformal
+/// map that leaves every other vertex alone; then it is a point of a flat polygon, which is triangulated without it.
+/// So log scale factors with respect to the coarse metric are those with respect to the fine one, at the vertices left.
+/// Vertices are never removed that have a loop, less than three or very many triangles, or that cannot be flattened.
+/// A surface that is coarse enough already is copied; otherwise the result is not embedded.
+/// \pre `t` is connected and intrinsic Delaunay, and every triangle has a positive area
+/// \throws Numerical_error if the flips to the Delaunay triangulation do not end
+/// \throws Unusable_surface_error if a triangle inequality is lost to rounding (not seen with angles of 0.03 degrees)
+/// Complexity: O(n log n).
+/// Source: Liu, Gillespie, Chislett, Sharp, Jacobson and Crane, "Surface simplification using intrinsic error metrics",
+/// 2023, with another order of removal.
+Coarse_surface coarsened(const Intrinsic_triangulation& t, const Integer_cochains& cochains, std::size_t vertices);
+
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_COARSE_SURFACE_H
