@@ -59,7 +59,7 @@ Abel_jacobi_map::Abel_jacobi_map(const Intrinsic_triangulation& t, const Harmoni
 Lifted_point Abel_jacobi_map::lift(const Surface_point& p) const
 {
   const double inward = 1e-9;
-  Lifted_point q{p, Eigen::RowVectorXd::Zero(dimension())};
+  Lifted_point q{p, Eigen::RowVectorXd::Zero(dimension()), 1};
   if (*std::min_element(p.barycentric.begin(), p.barycentric.end()) < inward) {
     double sum = 0;
     for (double& b : q.location.barycentric) sum += (b = std::max(b, inward));
@@ -82,9 +82,12 @@ Eigen::RowVectorXd Abel_jacobi_map::potential(const Lifted_point& p) const
 Lifted_point Abel_jacobi_map::moved(const Lifted_point& p, std::complex<double> displacement) const
 {
   Lifted_point q = p;
-  q.location = internal::walk(m_t, p.location, displacement, [&](const Surface_point& before, const Surface_point& after) {
-    q.sheet += (potential_in_face(before) - potential_in_face(after)).array().round().matrix();
-  });
+  const internal::Walk_end end = internal::walk(
+    m_t, p.location, displacement, [&](const Surface_point& before, const Surface_point& after) {
+      q.sheet += (potential_in_face(before) - potential_in_face(after)).array().round().matrix();
+    });
+  q.location = end.point;
+  q.frame *= end.rotation;
   return q;
 }
 
@@ -93,6 +96,17 @@ Eigen::VectorXd Abel_jacobi_map::residual(const Lifted_divisor& points, const st
   Eigen::VectorXd f = m_constant;
   for (std::size_t i = 0; i < points.size(); ++i) f -= 0.5 * pi * orders[i] * potential(points[i]).transpose();
   return f;
+}
+
+Eigen::VectorXd Abel_jacobi_map::residual(const Divisor& divisor) const
+{
+  Lifted_divisor points;
+  std::vector<int> orders;
+  for (const Singularity& s : divisor) {
+    points.push_back(lift(s.location));
+    orders.push_back(s.order);
+  }
+  return residual(points, orders);
 }
 
 Eigen::MatrixXd Abel_jacobi_map::jacobian(const Lifted_divisor& points, const std::vector<int>& orders) const

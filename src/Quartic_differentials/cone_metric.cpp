@@ -181,7 +181,7 @@ void move_cones(const Intrinsic_triangulation& t, const Eigen::VectorXd& step, D
   for (std::size_t i = 0; i < divisor.size(); ++i) {
     const std::complex<double> d(step[2 * i], step[2 * i + 1]);
     if (d == 0.) continue;
-    divisor[i].location = internal::walk(t, divisor[i].location, d, [](const Surface_point&, const Surface_point&) {});
+    divisor[i].location = internal::walk(t, divisor[i].location, d, [](const Surface_point&, const Surface_point&) {}).point;
     moved_by[i] += std::abs(d);
   }
 }
@@ -206,10 +206,8 @@ bool move_off_vertices(const std::vector<char>& frozen, Divisor& divisor)
 
 void refuse_collisions(const Intrinsic_triangulation& t, const Divisor& divisor, double least)
 {
-  std::vector<Surface_point> points;
-  for (const Singularity& s : divisor) points.push_back(s.location);
   const double size = std::sqrt(t.area());
-  const Nearest_singularities n = nearest_singularities(t, points, least * size);
+  const Nearest_singularities n = nearest_singularities(t, locations(divisor), least * size);
   if (n.distance < least * size)
     throw Infeasible_divisor_error("making the holonomy exact drives singularities " + std::to_string(n.first + 1) + " and "
                                    + std::to_string(n.second + 1) + " together (distance "

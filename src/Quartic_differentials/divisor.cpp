@@ -14,4 +14,11 @@ int degree(const Divisor& d)
   return sum;
 }
 
+std::vector<Surface_point> locations(const Divisor& d)
+{
+  std::vector<Surface_point> points;
+  for (const Singularity& s : d) points.push_back(s.location);
+  return points;
+}
+
 } } // namespace CGAL::Quartic_differentials

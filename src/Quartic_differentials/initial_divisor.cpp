@@ -4,13 +4,12 @@
 
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/initial_divisor.h>
+#include <CGAL/Quartic_differentials/internal/vertex_places.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <map>
-#include <queue>
 #include <string>
 
 namespace CGAL {
@@ -23,31 +22,12 @@ const double smoothing_time = 0.0025;   // of the area
 const double slack = 1.1;               // fewer singularities are worth that factor of the range of log scales
 const double separation = 0.06;         // least distance of the extrema along edges, times sqrt(area)
 
-// A point well inside a face next to v: the one left of the edge to the neighbour of least index, so that it does not
-// depend on how halfedges are numbered.
-Surface_point beside(const Intrinsic_triangulation& t, Vertex v)
-{
-  const Halfedge first = t.halfedge_from(v);
-  Halfedge h = first;
-  for (Halfedge k = t.next_around_source(first); k != first; k = t.next_around_source(k))
-    if (t.target(k) < t.target(h)) h = k;
-  Surface_point p{t.face(h), {0.3, 0.3, 0.3}};
-  p.barycentric[t.corner(h)] = 0.4;
-  return p;
-}
-
-Vertex nearest_corner(const Intrinsic_triangulation& t, const Surface_point& p)
-{
-  const auto k = std::max_element(p.barycentric.begin(), p.barycentric.end()) - p.barycentric.begin();
-  return t.source(t.halfedges(p.face)[k]);
-}
-
 // Picks vertices of extreme curvature, keeping a distance from all that was picked before.
 class Extremum_picker
 {
 public:
   Extremum_picker(const Intrinsic_triangulation& t, const std::vector<double>& weights)
-    : m_t(t), m_radius(separation * std::sqrt(t.area())), m_taken(t.number_of_vertices(), false)
+    : m_t(t), m_radius(separation * std::sqrt(t.area())), m_taken(t)
   {
     const std::vector<double> k = curvatures(t, corner_angles(t, t.lengths()));
     m_curvature = heat_smoothed(t, weights, smoothing_time * t.area(), Eigen::Map<const Eigen::VectorXd>(k.data(), k.size()));
@@ -58,32 +38,7 @@ public:
     m_minima_first = ordered(-1);
   }
 
-  // marks everything near v as taken (Dijkstra's algorithm along edges)
-  void take(Vertex v)
-  {
-    using Item = std::pair<double, Vertex>;
-    std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-    std::map<Vertex, double> distance{{v, 0.}};
-    queue.push({0, v});
-    while (!queue.empty()) {
-      const auto [d, u] = queue.top();
-      queue.pop();
-      if (d > distance.at(u)) continue;
-      m_taken[u] = true;
-      const Halfedge first = m_t.halfedge_from(u);
-      Halfedge h = first;
-      do {
-        const Vertex w = m_t.target(h);
-        const double through = d + m_t.length(h);
-        const auto known = distance.find(w);
-        if (through < m_radius && (known == distance.end() || through < known->second)) {
-          distance[w] = through;
-          queue.push({through, w});
-        }
-        h = m_t.next_around_source(h);
-      } while (h != first);
-    }
-  }
+  void take(Vertex v) { m_taken.take(v, m_radius); }
 
   // the next vertices with the largest sign * curvature: local extrema first, then any vertices
   std::vector<Vertex> pick(int count, int sign)
@@ -121,7 +76,7 @@ private:
 
   const Intrinsic_triangulation& m_t;
   double                         m_radius;
-  std::vector<char>              m_taken;
+  internal::Taken_vertices       m_taken;
   Eigen::VectorXd                m_curvature;   // smoothed, in whole grains
   std::vector<Vertex>            m_maxima_first, m_minima_first;
 };
@@ -147,8 +102,8 @@ Divisor simple_divisor(const Intrinsic_triangulation& t, const std::vector<Verte
                        const std::vector<Vertex>& zeros)
 {
   Divisor divisor;
-  for (Vertex v : poles) divisor.push_back({beside(t, v), -1, false});
-  for (Vertex v : zeros) divisor.push_back({beside(t, v), +1, false});
+  for (Vertex v : poles) divisor.push_back({internal::beside(t, v), -1, false});
+  for (Vertex v : zeros) divisor.push_back({internal::beside(t, v), +1, false});
   return divisor;
 }
 
@@ -191,13 +146,13 @@ Divisor with_repaired_degree(const Intrinsic_triangulation& t, const std::vector
   const int missing = 8 * t.genus() - 8 - degree(divisor);
   if (missing == 0) return divisor;
   Extremum_picker picker(t, weights);
-  for (const Singularity& s : divisor) picker.take(nearest_corner(t, s.location));
+  for (const Singularity& s : divisor) picker.take(internal::nearest_corner(t, s.location));
   const int order = missing > 0 ? 1 : -1;
   const std::vector<Vertex> picked = picker.pick(std::abs(missing), -order);
   if (static_cast<int>(picked.size()) < std::abs(missing))
     throw Infeasible_divisor_error("the surface has no room for the " + std::to_string(std::abs(missing))
                                    + " singularities that the degree 8g-8 asks for");
-  for (Vertex v : picked) divisor.push_back({beside(t, v), order, false});
+  for (Vertex v : picked) divisor.push_back({internal::beside(t, v), order, false});
   return divisor;
 }
 

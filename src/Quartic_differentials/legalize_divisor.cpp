@@ -4,8 +4,8 @@
 
 #include <CGAL/Quartic_differentials/closest_vector.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
-#include <CGAL/Quartic_differentials/internal/geodesic_disk.h>
-#include <CGAL/Quartic_differentials/internal/surface_walk.h>
+#include <CGAL/Quartic_differentials/internal/Moving_divisor.h>
+#include <CGAL/Quartic_differentials/internal/near_pairs.h>
 #include <CGAL/Quartic_differentials/legalize_divisor.h>
 
 #include <Eigen/Dense>
@@ -21,50 +21,15 @@ namespace Quartic_differentials {
 
 namespace {
 
-const double pi = CGAL_PI;
-const double quarter_turn = pi / 2;
+using internal::Moving_divisor;
+
+const double quarter_turn = CGAL_PI / 2;
 
 std::string signed_number(int n) { return (n > 0 ? "+" : "") + std::to_string(n); }
 
 std::string name(const Divisor& d, std::size_t i)
 {
   return "singularity " + std::to_string(i + 1) + " (order " + signed_number(d[i].order) + ")";
-}
-
-// Positions while they are moved, with the orders and which may move.
-struct Moving_divisor
-{
-  Lifted_divisor      points;
-  std::vector<int>    orders;
-  std::vector<char>   pinned;
-  std::vector<double> moved_by;
-
-  // no column where a singularity is pinned
-  Eigen::MatrixXd jacobian(const Abel_jacobi_map& map) const
-  {
-    Eigen::MatrixXd j = map.jacobian(points, orders);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (pinned[i]) j.middleCols(2 * i, 2).setZero();
-    return j;
-  }
-  Eigen::VectorXd residual(const Abel_jacobi_map& map) const { return map.residual(points, orders); }
-
-  void move(const Abel_jacobi_map& map, const Eigen::VectorXd& step)
-  {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::complex<double> d(step[2 * i], step[2 * i + 1]);
-      if (d == 0.) continue;
-      points[i] = map.moved(points[i], d);
-      moved_by[i] += std::abs(d);
-    }
-  }
-};
-
-double longest_move(const Eigen::VectorXd& step)
-{
-  double longest = 0;
-  for (Eigen::Index i = 0; i + 1 < step.size(); i += 2) longest = std::max(longest, step.segment<2>(i).norm());
-  return longest;
 }
 
 int rank(const Eigen::MatrixXd& j)
@@ -100,68 +65,22 @@ Eigen::MatrixXd lattice_gram(const Eigen::MatrixXd& j, const Period_matrix& peri
   return 0.5 * (gram + gram.transpose());
 }
 
-// Gauss-Newton steps of minimal norm towards F = (pi/2) m, damped (Levenberg) where the full step does not help.
-// Returns whether the tolerance was reached.
-bool reach(const Abel_jacobi_map& map, const Eigen::VectorXd& m, const Legalization_options& options, double size,
-           Moving_divisor& d, std::vector<double>& history, Visitor& visitor)
-{
-  Eigen::VectorXd f = d.residual(map) - quarter_turn * m;
-  history.assign(1, f.norm());
-  double damping = 0;
-  for (int iteration = 0; iteration < options.iterations; ++iteration) {
-    if (history.back() <= options.tolerance) return true;
-    if (!visitor.go_further()) throw Cancelled_error("stopped while legalizing the divisor");
-    const Eigen::MatrixXd j = d.jacobian(map), jjt = j * j.transpose();
-    const double scale = jjt.trace() / static_cast<double>(jjt.rows());
-    for (;;) {
-      const Eigen::MatrixXd damped = jjt + damping * scale * Eigen::MatrixXd::Identity(jjt.rows(), jjt.cols());
-      Eigen::VectorXd step = -j.transpose() * damped.ldlt().solve(f);
-      const double longest = longest_move(step), cap = options.longest_step * size;
-      const double shortened = longest > cap ? cap / longest : 1;
-      step *= shortened;
-      Moving_divisor tried = d;
-      tried.move(map, step);
-      const Eigen::VectorXd f_tried = tried.residual(map) - quarter_turn * m;
-      if (f_tried.norm() < history.back() * (1 - 1e-3 * shortened)) {
-        d = std::move(tried);
-        f = f_tried;
-        history.push_back(f.norm());
-        damping = damping > 1e-8 ? damping / 10 : 0;
-        break;
-      }
-      damping = std::max(4 * damping, 1e-3);
-      if (damping > 1e6) return false;
-    }
-  }
-  return history.back() <= options.tolerance;
-}
-
-std::vector<Surface_point> locations(const Lifted_divisor& points)
-{
-  std::vector<Surface_point> result;
-  for (const Lifted_point& p : points) result.push_back(p.location);
-  return result;
-}
-
 // Two singularities that are too near each other and their distance, or "".
-std::string collision(const Intrinsic_triangulation& t, const Divisor& d, const Lifted_divisor& points, double least,
-                      double size)
+std::string collision(const Intrinsic_triangulation& t, const Divisor& d, double least, double size)
 {
-  const Nearest_singularities n = nearest_singularities(t, locations(points), least * size);
+  const Nearest_singularities n = nearest_singularities(t, locations(d), least * size);
   if (!(n.distance < least * size)) return {};
   return name(d, n.first) + " and " + name(d, n.second) + " (distance "
        + std::to_string(n.distance / size) + ", at least " + std::to_string(least) + " sqrt(area) is asked for)";
 }
 
-Legal_divisor result_of(const Divisor& divisor, const Moving_divisor& d, const Abel_jacobi_map& map,
-                        const Eigen::VectorXd& m, std::vector<double> history)
+Legal_divisor result_of(const Moving_divisor& d, const Eigen::VectorXd& m, std::vector<double> history)
 {
   Legal_divisor legal;
-  legal.divisor = divisor;
-  for (std::size_t i = 0; i < divisor.size(); ++i) legal.divisor[i].location = d.points[i].location;
-  legal.moved_by = d.moved_by;
+  legal.divisor = d.divisor();
+  legal.moved_by = d.moved_by();
   legal.nearest = m;
-  legal.residual = d.residual(map) - quarter_turn * m;
+  legal.residual = d.residual() - quarter_turn * m;
   legal.history = std::move(history);
   return legal;
 }
@@ -189,19 +108,29 @@ Nearest_singularities nearest_singularities(const Intrinsic_triangulation& t, co
                                             double radius)
 {
   Nearest_singularities nearest{0, 0, std::numeric_limits<double>::infinity()};
-  std::vector<std::vector<std::size_t>> in_face(t.number_of_faces());
-  for (std::size_t i = 0; i < points.size(); ++i) in_face[points[i].face].push_back(i);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    internal::explore_geodesic_disk(t, points[i], radius, [&](Face f, const std::array<std::complex<double>, 3>& corner,
-                                                              std::complex<double> right, std::complex<double> left) {
-      for (std::size_t k : in_face[f]) {
-        if (k == i) continue;
-        const std::complex<double> z = internal::point_in_frame(corner, points[k].barycentric);
-        if (right != left && (internal::cross(right, z) < 0 || internal::cross(z, left) < 0)) continue;   // not in sight
-        if (std::abs(z) < nearest.distance) nearest = {std::min(i, k), std::max(i, k), std::abs(z)};
-      }
-    });
+  internal::visit_near_pairs(t, points, radius, [&](std::size_t i, std::size_t k, std::complex<double> way) {
+    if (std::abs(way) < nearest.distance) nearest = {std::min(i, k), std::max(i, k), std::abs(way)};
+  });
   return nearest;
+}
+
+Lattice_candidates nearest_lattice_vectors(const internal::Moving_divisor& d, const Period_matrix& periods,
+                                           const Legalization_options& options)
+{
+  const Eigen::MatrixXd j = d.jacobian();
+  require_full_rank(j);
+  Closest_vector_options lattice;
+  lattice.count = options.lattice_vectors;
+  lattice.radius_factor = 2;
+  const Closest_vectors closest = closest_vectors(lattice_gram(j, periods, options.norm), d.residual() / quarter_turn,
+                                                  lattice);
+  Lattice_candidates candidates{{}, closest.optimal};
+  for (const Lattice_vector& v : closest.vectors) {
+    candidates.vectors.emplace_back(v.coefficients.size());
+    for (std::size_t k = 0; k < v.coefficients.size(); ++k)
+      candidates.vectors.back()[k] = static_cast<double>(v.coefficients[k]);
+  }
+  return candidates;
 }
 
 Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& periods, const Divisor& divisor,
@@ -211,50 +140,37 @@ Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& 
   check_orders(divisor, map.dimension() / 2);
   const double size = std::sqrt(t.area());
 
-  Moving_divisor start;
-  for (const Singularity& s : divisor) {
-    start.points.push_back(map.lift(s.location));
-    start.orders.push_back(s.order);
-    start.pinned.push_back(s.pinned);
-    start.moved_by.push_back(0);
-  }
-  if (const std::string reason = collision(t, divisor, start.points, options.least_distance, size); !reason.empty())
+  const Moving_divisor start(map, divisor);
+  if (const std::string reason = collision(t, start.divisor(), options.least_distance, size); !reason.empty())
     throw Infeasible_divisor_error("too near each other: " + reason);
 
-  const Eigen::VectorXd x = start.residual(map) / quarter_turn;
+  const Eigen::VectorXd x = start.residual() / quarter_turn;
   const Eigen::VectorXd rounded = x.array().round();
   if (divisor.empty() || quarter_turn * (x - rounded).norm() <= options.tolerance)   // legal as it is
-    return result_of(divisor, start, map, rounded, {quarter_turn * (x - rounded).norm()});
+    return result_of(start, rounded, {quarter_turn * (x - rounded).norm()});
 
-  const Eigen::MatrixXd j = start.jacobian(map);
-  require_full_rank(j);
-  Closest_vector_options lattice;
-  lattice.count = options.lattice_vectors;
-  lattice.radius_factor = 2;
-  const Closest_vectors candidates = closest_vectors(lattice_gram(j, periods, options.norm), x, lattice);
-
+  const Lattice_candidates candidates = nearest_lattice_vectors(start, periods, options);
+  const internal::Newton_limits limits{options.tolerance, options.iterations, options.longest_step * size};
   std::string collided;
   double best = std::numeric_limits<double>::infinity();
   int tried = 0;
-  for (const Lattice_vector& candidate : candidates.vectors) {
+  for (const Eigen::VectorXd& m : candidates.vectors) {
     ++tried;
-    Eigen::VectorXd m(x.size());
-    for (Eigen::Index k = 0; k < m.size(); ++k) m[k] = static_cast<double>(candidate.coefficients[k]);
     Moving_divisor d = start;
     std::vector<double> history;
-    const bool reached = reach(map, m, options, size, d, history, visitor);
+    const bool reached = internal::move_onto_lattice(d, m, limits, history, visitor);
     visitor.progress("lattice vector " + std::to_string(tried) + ": |F| " + std::to_string(history.front()) + " -> "
                      + std::to_string(history.back()) + " in " + std::to_string(history.size() - 1) + " steps");
     if (!reached) {
       best = std::min(best, history.back());
       continue;
     }
-    const std::string reason = collision(t, divisor, d.points, options.least_distance, size);
+    const std::string reason = collision(t, d.divisor(), options.least_distance, size);
     if (!reason.empty()) {
       collided = reason;
       continue;
     }
-    Legal_divisor legal = result_of(divisor, d, map, m, std::move(history));
+    Legal_divisor legal = result_of(d, m, std::move(history));
     legal.certified = candidates.optimal;
     legal.tried = tried;
     return legal;

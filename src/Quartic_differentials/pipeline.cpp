@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/Common_refinement.h>
-#include <CGAL/Quartic_differentials/delaunay_flips.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/initial_divisor.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
@@ -19,33 +18,46 @@ namespace {
 
 using internal::Timed_step;
 
+// The divisor to start from: given, completed, or chosen.
 Divisor starting_divisor(const Riemann_surface& s, const std::optional<Divisor>& singularities,
-                         const Quartic_differential_options& options)
+                         const Quartic_differential_options& options, Visitor& visitor,
+                         std::optional<Chosen_singularities>& choice)
 {
-  if (!singularities) return curvature_divisor(s.delaunay, s.weights, s.laplacian, options.count);
-  Divisor divisor = *singularities;
-  for (Singularity& p : divisor) p.location = s.refinement->from_input(p.location);
-  return options.repair_degree ? with_repaired_degree(s.delaunay, s.weights, divisor) : divisor;
+  Divisor given = singularities.value_or(Divisor());
+  for (Singularity& p : given) p.location = s.refinement->from_input(p.location);
+  if (!singularities || options.add_to_given) {
+    const bool from_curvature = options.choice.start == Singularity_start::curvature
+                             || options.choice.start == Singularity_start::automatic;
+    if (!singularities && options.optimize == Optimize::never && from_curvature)
+      return curvature_divisor(s.delaunay, s.weights, s.laplacian, options.choice.count);   // the paper's
+    choice = choose_singularities(s, given, options.choice, options.legalization, options.distortion, visitor);
+    return choice->divisor;
+  }
+  return options.repair_degree ? with_repaired_degree(s.delaunay, s.weights, given) : given;
 }
 
-std::vector<int> orders(const Divisor& divisor)
+// Step 5: onto the Abel-Jacobi variety, and along it to where areas are distorted least.
+void legalize(const Abel_jacobi_map& map, const Riemann_surface& s, const Quartic_differential_options& options,
+              Visitor& visitor, Quartic_differential_result& r)
 {
-  std::vector<int> n;
-  for (const Singularity& s : divisor) n.push_back(s.order);
-  return n;
-}
-
-Lifted_divisor lifted(const Abel_jacobi_map& map, const Divisor& divisor)
-{
-  Lifted_divisor points;
-  for (const Singularity& s : divisor) points.push_back(map.lift(s.location));
-  return points;
+  const Area_distortion distortion(s.delaunay, s.laplacian, vertex_areas(s.delaunay));
+  const bool chosen = r.choice.has_value();
+  if (options.optimize == Optimize::always || (options.optimize == Optimize::automatic && chosen)) {
+    r.optimal = minimize_distortion(distortion, map, s.periods, *r.initial, options.legalization, options.distortion,
+                                    visitor);
+    r.legal = r.optimal->legal;
+    r.distortion = r.optimal->distortion;
+  } else {
+    r.legal = legalize_divisor(map, s.periods, *r.initial, options.legalization, visitor);
+    r.distortion = distortion.energy(distortion.log_scale(r.legal->divisor));
+  }
+  r.solves = distortion.solves();
 }
 
 // The image of the legal divisor: its residual is known on the sheet where it was legalized, the integers on sheet 0.
 Abel_jacobi_image image_of(const Abel_jacobi_map& map, const Riemann_surface& s, const Legal_divisor& legal)
 {
-  const Eigen::VectorXd on_sheet_0 = map.residual(lifted(map, legal.divisor), orders(legal.divisor));
+  const Eigen::VectorXd on_sheet_0 = map.residual(legal.divisor);
   const Eigen::VectorXd nearest = (on_sheet_0 / (0.5 * CGAL_PI)).array().round();
   return abel_jacobi_image(map, s.periods, s.zeros, on_sheet_0, nearest);
 }
@@ -83,35 +95,6 @@ void place_singularities(const Intrinsic_triangulation& input, Quartic_different
 
 } // namespace
 
-Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor)
-{
-  Riemann_surface s;
-  {
-    const Timed_step step(visitor, "homology");
-    s.homology = homology_basis(input);
-  }
-  {
-    const Timed_step step(visitor, "refinement");
-    s.delaunay = input;
-    Common_refinement refinement(input);
-    s.flips = make_delaunay(s.delaunay, s.homology.cochains, refinement);
-    s.refinement.emplace(refinement, s.delaunay);
-  }
-  {
-    const Timed_step step(visitor, "holomorphic_forms");
-    s.weights = cotangent_weights(s.delaunay, s.delaunay.lengths());
-    s.laplacian.factorize(s.delaunay, s.weights);
-    s.forms = harmonic_1_forms(s.delaunay, s.homology.cochains, s.weights, s.laplacian);
-  }
-  {
-    const Timed_step step(visitor, "period_matrix");
-    s.periods = period_matrix(s.forms);
-    if (input.genus() > 1)
-      s.zeros = zeros_of_holomorphic_form(s.delaunay, s.forms, Eigen::VectorXd::Ones(s.forms.size()), s.periods.star);
-  }
-  return s;
-}
-
 void quartic_differential(const Intrinsic_triangulation& input, const std::optional<Divisor>& singularities,
                           const Quartic_differential_options& options, Visitor& user_visitor,
                           Quartic_differential_result& result)
@@ -125,11 +108,11 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
     const Timed_step step(visitor, "abel_jacobi");
     if (options.route == Abel_jacobi_route::curvature) map.emplace(s.delaunay, s.homology.cochains, s.forms);
     else map.emplace(s.delaunay, s.forms, s.zeros);
-    result.initial = starting_divisor(s, singularities, options);
   }
   {
     const Timed_step step(visitor, "legalization");
-    result.legal = legalize_divisor(*map, s.periods, *result.initial, options.legalization, visitor);
+    result.initial = starting_divisor(s, singularities, options, visitor, result.choice);
+    legalize(*map, s, options, visitor, result);
     result.image = image_of(*map, s, *result.legal);
   }
   result.metric = exact_cone_metric(s.delaunay, s.homology.cochains, result.legal->divisor, options.cone_metric, visitor);

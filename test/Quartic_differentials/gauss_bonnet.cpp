@@ -80,7 +80,7 @@ void test_holonomy_jacobian()
     for (std::size_t i = 0; i < d.size(); ++i)
       moved[i].location = internal::walk(s.delaunay, d[i].location,
                                          by * std::complex<double>(direction[2 * i], direction[2 * i + 1]),
-                                         [](const Surface_point&, const Surface_point&) {});
+                                         [](const Surface_point&, const Surface_point&) {}).point;
     const Cone_metric m = cone_metric(s.delaunay, s.homology.cochains, moved, nullptr, options, visitor);
     return turning_numbers(m.triangulation, m.cochains, m.angles);
   };
@@ -136,20 +136,29 @@ void test_flat_torus_without_singularities()
   CHECK(m.max_transition_error < 1e-10);
 }
 
-class Stop_at_once : public Visitor
+// Stops as soon as a step begins.
+class Stop_at : public Visitor
 {
 public:
-  bool go_further() override { return false; }
+  explicit Stop_at(const std::string& step) : m_step(step) {}
+  void step_begins(const std::string& name) override { m_stop = m_stop || name == m_step; }
+  bool go_further() override { return !m_stop; }
+private:
+  std::string m_step;
+  bool        m_stop = false;
 };
 
 void test_cancellation()
 {
-  Stop_at_once stop;
-  Quartic_differential_result result;
-  CHECK_THROWS(quartic_differential(Intrinsic_triangulation(torus(1, 0.4, 20, 12)), std::nullopt, {}, stop, result),
-               Cancelled_error, "stopped");
-  CHECK(result.surface.has_value());   // what was computed is kept
-  CHECK(result.initial.has_value());
+  for (const char* step : {"legalization", "cone_metric"}) {
+    Stop_at stop(step);
+    Quartic_differential_result result;
+    CHECK_THROWS(quartic_differential(Intrinsic_triangulation(torus(1, 0.4, 20, 12)), std::nullopt, {}, stop, result),
+                 Cancelled_error, "stopped");
+    CHECK(result.surface.has_value());   // what was computed is kept
+    CHECK_EQUAL(result.legal.has_value(), step == std::string("cone_metric"));
+    CHECK(!result.metric.has_value());
+  }
 }
 
 } // namespace

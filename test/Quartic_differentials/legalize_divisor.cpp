@@ -41,13 +41,7 @@ Singularity at(const Intrinsic_triangulation& t, std::size_t face, int order, bo
 // The condition itself, computed anew from the positions: F in (pi/2) Z^2g.
 double defect(const Setting& s, const Divisor& d)
 {
-  Lifted_divisor points;
-  std::vector<int> orders;
-  for (const Singularity& p : d) {
-    points.push_back(s.map.lift(p.location));
-    orders.push_back(p.order);
-  }
-  const Eigen::VectorXd f = s.map.residual(points, orders) / (std::acos(-1.0) / 2);
+  const Eigen::VectorXd f = s.map.residual(d) / (std::acos(-1.0) / 2);
   return f.size() == 0 ? 0 : (f - f.array().round().matrix()).cwiseAbs().maxCoeff();
 }
 

@@ -27,11 +27,12 @@ namespace Quartic_differentials {
 //   F_k(D)    T_k - Sum_v g_k(v) K_v - (pi/2) Sum_i n_i ^g_k(p_i), the holonomy of the conformal cone metric
 //   D satisfies the Abel-Jacobi condition <=> F(D) in (pi/2) Z^2g
 
-/// A point with the sheet on which the potentials ^g_k are continued.
+/// A point with the sheet on which the potentials ^g_k are continued, and a frame that is transported along its way.
 struct Lifted_point
 {
-  Surface_point      location;
-  Eigen::RowVectorXd sheet;   ///< integers, added to the potentials
+  Surface_point        location;
+  Eigen::RowVectorXd   sheet;       ///< integers, added to the potentials
+  std::complex<double> frame = 1;   ///< the transported first axis in the unfolded frame of the face, a unit number
 };
 
 using Lifted_divisor = std::vector<Lifted_point>;
@@ -79,6 +80,8 @@ public:
 
   /// F(D). [radians]
   Eigen::VectorXd residual(const Lifted_divisor& points, const std::vector<int>& orders) const;
+  /// F(D) with every point on the sheet 0, right up to multiples of pi/2. [radians]
+  Eigen::VectorXd residual(const Divisor& divisor) const;
   /// the derivative of F(D) by the positions, two columns (x, y in the unfolded frame of its face) a singularity
   Eigen::MatrixXd jacobian(const Lifted_divisor& points, const std::vector<int>& orders) const;
 

@@ -25,6 +25,7 @@ struct Singularity
 using Divisor = std::vector<Singularity>;
 
 int degree(const Divisor& d);
+std::vector<Surface_point> locations(const Divisor& d);
 
 } } // namespace CGAL::Quartic_differentials
 

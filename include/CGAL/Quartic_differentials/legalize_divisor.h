@@ -17,6 +17,8 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
+namespace internal { class Moving_divisor; }
+
 /// The norm in which the integer program looks for the nearest lattice vector.
 enum class Lattice_norm
 {
@@ -57,6 +59,18 @@ struct Legal_divisor
 /// Source: METHOD, step 5; paper, section 4.5.
 Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& periods, const Divisor& divisor,
                                const Legalization_options& options, Visitor& visitor);
+
+/// The lattice vectors m nearest to F(D) / (pi/2), nearest first.
+struct Lattice_candidates
+{
+  std::vector<Eigen::VectorXd> vectors;
+  bool                         optimal;   ///< the first is certified to be a closest one
+};
+
+/// solves the closest vector problem of a divisor.
+/// \throws Infeasible_divisor_error if the rank of its Jacobian is below 2g
+Lattice_candidates nearest_lattice_vectors(const internal::Moving_divisor& d, const Period_matrix& periods,
+                                           const Legalization_options& options);
 
 /// throws Infeasible_divisor_error if no position whatever makes these orders legal on a surface of this genus.
 void check_orders(const Divisor& divisor, int genus);

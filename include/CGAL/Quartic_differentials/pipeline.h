@@ -7,16 +7,15 @@
 
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
 #include <CGAL/Quartic_differentials/Quartic_differential.h>
-#include <CGAL/Quartic_differentials/Refinement_cells.h>
 #include <CGAL/Quartic_differentials/Visitor.h>
 #include <CGAL/Quartic_differentials/abel_jacobi_map.h>
+#include <CGAL/Quartic_differentials/choose_singularities.h>
 #include <CGAL/Quartic_differentials/cone_metric.h>
 #include <CGAL/Quartic_differentials/divisor.h>
-#include <CGAL/Quartic_differentials/holomorphic_forms.h>
-#include <CGAL/Quartic_differentials/homology_basis.h>
 #include <CGAL/Quartic_differentials/immersion.h>
 #include <CGAL/Quartic_differentials/legalize_divisor.h>
-#include <CGAL/Quartic_differentials/period_matrix.h>
+#include <CGAL/Quartic_differentials/minimize_distortion.h>
+#include <CGAL/Quartic_differentials/riemann_surface.h>
 #include <CGAL/Quartic_differentials/t_mesh.h>
 
 #include <optional>
@@ -27,31 +26,18 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-/// Steps 1 to 3: a triangulated surface as a Riemann surface.
-struct Riemann_surface
-{
-  Intrinsic_triangulation         delaunay;     ///< the intrinsic Delaunay triangulation of the input's surface
-  std::optional<Refinement_cells> refinement;   ///< carries points between the input's faces and `delaunay`
-  std::size_t                     flips = 0;    ///< from the input to `delaunay`
-  Homology_basis                  homology;     ///< loops on the input, cochains on `delaunay`
-  std::vector<double>             weights;      ///< cotangent weights of `delaunay`
-  Laplacian_solver                laplacian;
-  Harmonic_1_forms                forms;
-  Period_matrix                   periods;
-  std::vector<Holomorphic_zero>   zeros;        ///< of the holomorphic form with all coefficients 1, order 2g-2 in all
-};
-
-/// computes steps 1 to 3 of the pipeline.
-/// \pre `input` is a closed connected surface
-/// Complexity: one sparse factorisation, 2g back-substitutions, O(n log n) for the rest.
-Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor);
+/// Whether singularities are moved to where they distort areas least.
+enum class Optimize { automatic, always, never };   ///< automatic: if they were chosen, not if they were given
 
 struct Quartic_differential_options
 {
-  int                  count = 0;               ///< singularities when none are given; 0: automatic
+  Singularity_choice_options choice;            ///< how singularities are chosen when none are given
+  bool                 add_to_given = false;    ///< choose more, beside those that are given
   bool                 repair_degree = false;   ///< add simple singularities until the degree is 8g-8
+  Optimize             optimize = Optimize::automatic;
   Abel_jacobi_route    route = Abel_jacobi_route::curvature;
   Legalization_options legalization;
+  Distortion_options   distortion;
   Cone_metric_options  cone_metric;
   Immersion_options    immersion;
 };
@@ -61,7 +47,11 @@ struct Quartic_differential_result
 {
   std::optional<Riemann_surface>      surface;        ///< steps 1 to 3
   std::optional<Divisor>              initial;        ///< on `surface->delaunay`
+  std::optional<Chosen_singularities> choice;         ///< how `initial` was chosen, if it was
   std::optional<Legal_divisor>        legal;          ///< step 5
+  std::optional<Optimal_divisor>      optimal;        ///< how `legal` was optimised, if it was
+  double                              distortion = 0; ///< E of the legal divisor, linearised
+  std::size_t                         solves = 0;     ///< right-hand sides solved to optimise it on the whole surface
   std::optional<Abel_jacobi_image>    image;          ///< step 4, of the legal divisor
   std::optional<Exact_cone_metric>    metric;         ///< step 6
   Divisor                             singularities;  ///< the final divisor, on the faces of the input
@@ -73,7 +63,7 @@ struct Quartic_differential_result
 
 /// runs the eight steps from a surface to its T-mesh.
 ///
-/// \param singularities the divisor to start from, on the faces of `input`; none: chosen from curvature extrema
+/// \param singularities the divisor to start from, on the faces of `input`; none: they are chosen
 /// \param result is filled step by step, so that it holds what was computed even if a later step throws
 /// \pre `input` is a closed connected surface without degenerate triangles
 /// \throws Infeasible_divisor_error, Numerical_error, Cancelled_error: see the steps

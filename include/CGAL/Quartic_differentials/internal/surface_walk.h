@@ -33,17 +33,24 @@ inline std::complex<double> point_in_frame(const std::array<std::complex<double>
   return b[0] * corner[0] + b[1] * corner[1] + b[2] * corner[2];
 }
 
+/// Where a straight walk ended.
+struct Walk_end
+{
+  Surface_point        point;
+  std::complex<double> rotation;   ///< from the unfolded frame of the first face to that of the last, along the walk
+};
+
 /// walks straight from p across the faces; `crossing(before, after)` gets the point where an edge is crossed in the
 /// coordinates of both faces.
 /// \param displacement in the unfolded frame of p's face
 /// \throws Numerical_error after 100,000 crossings
 template <class Crossing>
-Surface_point walk(const Intrinsic_triangulation& t, const Surface_point& p, std::complex<double> displacement,
-                   Crossing crossing)
+Walk_end walk(const Intrinsic_triangulation& t, const Surface_point& p, std::complex<double> displacement,
+              Crossing crossing)
 {
   Face f = p.face;
   auto corner = t.unfolded(f);
-  std::complex<double> z = point_in_frame(corner, p.barycentric), d = displacement;
+  std::complex<double> z = point_in_frame(corner, p.barycentric), d = displacement, rotation = 1;
   Halfedge came = Mesh::null_halfedge();
   for (int n = 0; n < 100000; ++n) {
     const auto h = t.halfedges(f);
@@ -57,7 +64,7 @@ Surface_point walk(const Intrinsic_triangulation& t, const Surface_point& p, std
       const double s = std::max(-cross(e, z - corner[k]) / speed, 0.0);
       if (s < exit) { exit = s; side = k; }
     }
-    if (side < 0) return {f, barycentric(corner, z + d)};
+    if (side < 0) return {{f, barycentric(corner, z + d)}, rotation};
 
     z += exit * d;
     d *= 1 - exit;
@@ -70,6 +77,7 @@ Surface_point walk(const Intrinsic_triangulation& t, const Surface_point& p, std
     const std::complex<double> turn = (corner[(k + 1) % 3] - corner[k]) / (a - b);   // b is source(came)
     z = corner[k] + (z - b) * turn;
     d *= turn / std::abs(turn);
+    rotation *= turn / std::abs(turn);
     crossing(before, Surface_point{f, barycentric(corner, z)});
   }
   throw Numerical_error("a straight line on the surface crosses more than 100000 edges");
@@ -114,7 +122,7 @@ inline Surface_point walk_from_vertex(const Intrinsic_triangulation& t, const st
   Surface_point p{f, {inward, inward, inward}};
   p.barycentric[k] = 1 - 2 * inward;
   const std::complex<double> step = std::polar(distance, c->frame_angle + (angle - c->begin_angle));
-  return walk(t, p, step, [](const Surface_point&, const Surface_point&) {});
+  return walk(t, p, step, [](const Surface_point&, const Surface_point&) {}).point;
 }
 
 } } } // namespace CGAL::Quartic_differentials::internal

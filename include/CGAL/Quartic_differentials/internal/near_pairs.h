@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_NEAR_PAIRS_H
+#define CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_NEAR_PAIRS_H
+
+#include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+#include <CGAL/Quartic_differentials/internal/geodesic_disk.h>
+#include <CGAL/Quartic_differentials/internal/surface_walk.h>
+
+#include <algorithm>
+#include <complex>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+namespace internal {
+
+/// calls `visit(i, k, way)` for every straight line of length up to `radius` from a point i to a point k of a list (so
+/// a pair is seen from both of its points); `way` leads from i to k in the unfolded frame of the face of i.
+template <class Visit>
+void visit_near_pairs(const Intrinsic_triangulation& t, const std::vector<Surface_point>& points, double radius,
+                      Visit visit)
+{
+  std::vector<std::pair<Face, std::size_t>> by_face;
+  for (std::size_t i = 0; i < points.size(); ++i) by_face.emplace_back(points[i].face, i);
+  std::sort(by_face.begin(), by_face.end());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    explore_geodesic_disk(t, points[i], radius, [&](Face f, const std::array<std::complex<double>, 3>& corner,
+                                                    std::complex<double> right, std::complex<double> left) {
+      for (auto at = std::lower_bound(by_face.begin(), by_face.end(), std::make_pair(f, std::size_t(0)));
+           at != by_face.end() && at->first == f; ++at) {
+        if (at->second == i) continue;
+        const std::complex<double> way = point_in_frame(corner, points[at->second].barycentric);
+        if (right != left && (cross(right, way) < 0 || cross(way, left) < 0)) continue;   // not in sight
+        if (std::abs(way) <= radius) visit(i, at->second, way);
+      }
+    });
+}
+
+} } } // namespace CGAL::Quartic_differentials::internal
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_NEAR_PAIRS_H

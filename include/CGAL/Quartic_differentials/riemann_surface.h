@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_RIEMANN_SURFACE_H
+#define CGAL_QUARTIC_DIFFERENTIALS_RIEMANN_SURFACE_H
+
+#include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+#include <CGAL/Quartic_differentials/Refinement_cells.h>
+#include <CGAL/Quartic_differentials/Visitor.h>
+#include <CGAL/Quartic_differentials/coarse_surface.h>
+#include <CGAL/Quartic_differentials/holomorphic_forms.h>
+#include <CGAL/Quartic_differentials/homology_basis.h>
+#include <CGAL/Quartic_differentials/laplacian.h>
+#include <CGAL/Quartic_differentials/period_matrix.h>
+
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+/// Steps 1 to 3: a triangulated surface as a Riemann surface.
+struct Riemann_surface
+{
+  Intrinsic_triangulation         delaunay;     ///< the intrinsic Delaunay triangulation of the input's surface
+  std::optional<Refinement_cells> refinement;   ///< carries points between the input's faces and `delaunay`
+  std::size_t                     flips = 0;    ///< from the input to `delaunay`
+  Homology_basis                  homology;     ///< loops on the input, cochains on `delaunay`
+  std::vector<double>             weights;      ///< cotangent weights of `delaunay`
+  Laplacian_solver                laplacian;
+  Harmonic_1_forms                forms;
+  Period_matrix                   periods;
+  std::vector<Holomorphic_zero>   zeros;        ///< of the holomorphic form with all coefficients 1, order 2g-2 in all
+};
+
+/// computes steps 1 to 3 of the pipeline.
+/// \pre `input` is a closed connected surface
+/// Complexity: one sparse factorisation, 2g back-substitutions, O(n log n) for the rest.
+Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor);
+
+/// computes steps 2 and 3 on a coarsened surface: there are no loops, no refinement and no zeros.
+Riemann_surface riemann_surface(const Coarse_surface& coarse);
+
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_RIEMANN_SURFACE_H

@@ -1,0 +1,394 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/choose_singularities.h>
+#include <CGAL/Quartic_differentials/direction_field.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/initial_divisor.h>
+#include <CGAL/Quartic_differentials/internal/Moving_divisor.h>
+#include <CGAL/Quartic_differentials/internal/Singularity_search.h>
+#include <CGAL/Quartic_differentials/internal/distortion_descent.h>
+#include <CGAL/Quartic_differentials/internal/vertex_places.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+using internal::Moving_divisor;
+using internal::Singularity_search;
+using Candidate = Singularity_search::Candidate;
+
+const int    patience = 2;             // pairs in a row that may fail to be worth it
+const int    lattice_vectors = 4;      // tried
+const int    first_iterations = 15;    // of the descent for each of them; the best is continued
+const int    exchanges = 20;
+const int    most_that_fit = 700;      // disks of diameter 0.04 sqrt(area), about
+const double slack = 1.2;              // fewer singularities are worth that factor of the wanted distortion
+const double exchange_gain = 1.15;     // what exchanges may bring at the most, about
+const int    tried_when_missed = 4;    // counts that are legalized when the distortion cannot be met
+const double coarse_least_distance = 0.012;   // leaves room for the last Newton steps, times sqrt(area)
+
+// Passes on the question whether to stop, but not the steps of every descent.
+class Silent_visitor : public Visitor
+{
+public:
+  explicit Silent_visitor(Visitor& visitor) : m_visitor(visitor) {}
+  bool go_further() override { return m_visitor.go_further(); }
+private:
+  Visitor& m_visitor;
+};
+
+// A divisor on the Abel-Jacobi variety.
+struct Legal_candidate
+{
+  Divisor divisor;
+  double  distortion;
+  double  area_scale_ratio;
+};
+
+// The number of singularities that is asked for, or the least possible one.
+struct Counts
+{
+  int least, wanted;   // wanted 0: as many as the distortion asks for
+};
+
+Counts counts(int genus, const Divisor& given, const Singularity_choice_options& options)
+{
+  const int missing = std::abs(8 * genus - 8 - degree(given));
+  const int least = static_cast<int>(given.size()) + missing;
+  if (options.count == 0) return {std::max(least, genus == 1 ? 4 : 1), 0};
+  if (options.count < least)
+    throw Infeasible_divisor_error("at least " + std::to_string(least) + " simple singularities are needed on a surface "
+                                   "of genus " + std::to_string(genus) + (given.empty() ? "" : " with those given")
+                                   + ", not " + std::to_string(options.count));
+  if (options.count > most_that_fit)
+    throw Infeasible_divisor_error("the surface has no room for " + std::to_string(options.count) + " singularities");
+  return {least, options.count + (options.count - least) % 2};
+}
+
+// The search on one surface, from the start to the best legal divisor.
+class Search
+{
+public:
+  Search(const Riemann_surface& s, const std::vector<double>& mass, const Divisor& given,
+         const Singularity_choice_options& options, const Legalization_options& legalization,
+         const Distortion_options& descent, Visitor& visitor)
+    : m_surface(s), m_map(s.delaunay, s.homology.cochains, s.forms), m_distortion(s.delaunay, s.laplacian, mass),
+      m_given(given), m_options(options), m_legalization(legalization), m_descent(descent), m_visitor(visitor), m_silent(visitor),
+      m_search(m_distortion, m_map, given.size(), m_options, m_descent, m_silent),
+      m_counts(counts(s.delaunay.genus(), given, options)), m_size(std::sqrt(s.delaunay.area()))
+  {
+    m_legalization.lattice_vectors = lattice_vectors;
+  }
+
+  Chosen_singularities best()
+  {
+    Chosen_singularities result;
+    for (Singularity_start start : starts()) explore(start, result.starts);
+    const std::optional<Legal_candidate> legal = m_counts.wanted != 0 ? with_count(m_counts.wanted) : with_fewest();
+    if (!legal)
+      throw Infeasible_divisor_error("no choice of singularities could be moved so that it satisfies the Abel-Jacobi "
+                                     "condition: " + m_refusal);
+    result.divisor = legal->divisor;
+    result.distortion = legal->distortion;
+    if (m_options.pareto) result.pareto = pareto(*legal);
+    result.searched_vertices = m_surface.delaunay.number_of_vertices();
+    result.solves = m_distortion.solves();
+    return result;
+  }
+
+private:
+  std::vector<Singularity_start> starts()
+  {
+    if (m_options.start != Singularity_start::automatic) return {m_options.start};
+    if (m_given.empty() && field().size() <= m_options.field_limit)
+      return {Singularity_start::pairs, Singularity_start::field};
+    return {Singularity_start::pairs};
+  }
+  const Divisor& field()
+  {
+    if (!m_field) m_field = direction_field_divisor(m_surface.delaunay, m_surface.weights, m_options.seed);
+    return *m_field;
+  }
+
+  Divisor start_divisor(Singularity_start start)
+  {
+    if (start == Singularity_start::pairs) return m_search.completed(m_given);
+    if (!m_given.empty())
+      throw Infeasible_divisor_error("given singularities can only be completed by pairs, not from the field or the "
+                                     "curvature");
+    return start == Singularity_start::field ? field()
+         : curvature_divisor(m_surface.delaunay, m_surface.weights, m_surface.laplacian, m_counts.wanted);
+  }
+
+  // meets divisors of all counts of interest, from one start
+  void explore(Singularity_start start, std::vector<Start_of_search>& starts)
+  {
+    const Divisor first = start_divisor(start);
+    const Eigen::VectorXd u = m_distortion.log_scale(first);
+    starts.push_back({start == Singularity_start::pairs ? "pairs" : start == Singularity_start::field ? "field" : "curvature",
+                      static_cast<int>(first.size()), m_distortion.energy(u), area_scale_ratio(u, m_distortion.mass())});
+    const Candidate c = m_search.relaxed(first, 100, 1e-3);
+    if (m_counts.wanted != 0) adjust_count(c);
+    else prune(grown(c, m_options.distortion));
+  }
+
+  std::optional<Legal_candidate> with_count(int count)
+  {
+    const auto found = m_search.best_by_count().find(count);
+    if (found == m_search.best_by_count().end())
+      throw Infeasible_divisor_error("the surface has no room for " + std::to_string(count) + " singularities");
+    return legal_best(m_search.exchanged(found->second, exchanges), lattice_vectors);
+  }
+
+  // the fewest singularities that meet the wanted distortion; where none do, those of the best price
+  std::optional<Legal_candidate> with_fewest()
+  {
+    const double goal = slack * m_options.distortion;
+    const std::map<int, Candidate> met = m_search.best_by_count();
+    for (const auto& [count, candidate] : met) {
+      if (count < m_counts.least || candidate.energy > exchange_gain * goal) continue;
+      const Candidate c = m_search.exchanged(candidate, exchanges);
+      if (c.energy > goal) continue;
+      const std::optional<Legal_candidate> legal = legal_best(m_search.merged(c), lattice_vectors);
+      if (legal && legal->distortion <= goal) return legal;
+    }
+    return with_best_price();
+  }
+
+  double price(double distortion, std::size_t count) const
+  { return distortion + 0.5 * m_options.worth * static_cast<double>(count); }
+
+  std::optional<Legal_candidate> with_best_price()
+  {
+    std::vector<Candidate> candidates;
+    for (const auto& [count, candidate] : m_search.best_by_count())
+      if (count >= m_counts.least) candidates.push_back(candidate);
+    std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+      return price(a.energy, a.divisor.size()) < price(b.energy, b.divisor.size());
+    });
+    std::optional<Legal_candidate> best;
+    int tried = 0;
+    for (const Candidate& c : candidates) {
+      if (best && tried >= tried_when_missed) break;
+      ++tried;
+      std::optional<Legal_candidate> legal = legal_best(c, lattice_vectors);
+      if (legal && (!best || price(legal->distortion, legal->divisor.size()) < price(best->distortion, best->divisor.size())))
+        best = std::move(legal);
+    }
+    return best;
+  }
+
+  bool has_room(const Candidate& c) const { return c.count() + 2 <= std::max(m_options.most_singularities, m_counts.least); }
+
+  void adjust_count(Candidate c)
+  {
+    while (c.count() != m_counts.wanted) {
+      std::optional<Candidate> next = c.count() < m_counts.wanted ? m_search.with_pair(c) : m_search.without_pair(c);
+      if (!next) return;
+      c = std::move(*next);
+      tell(c);
+    }
+  }
+
+  // adds pairs until E is low enough, or some in a row are not worth it
+  Candidate grown(Candidate c, double wanted)
+  {
+    Candidate best = c;
+    int failed = 0;
+    while ((c.energy > wanted || c.count() < m_counts.least) && has_room(c)) {
+      std::optional<Candidate> more = m_search.with_pair(c);
+      if (!more) break;
+      c = std::move(*more);
+      tell(c);
+      const int pairs = (c.count() - best.count()) / 2;
+      if (c.energy <= best.energy - m_options.worth * pairs || c.count() <= m_counts.least) {
+        best = c;
+        failed = 0;
+      } else if (++failed > patience) {
+        break;
+      }
+    }
+    return best;
+  }
+
+  // takes pairs away until they are needed, and worth it
+  void prune(Candidate c)
+  {
+    const double enough = exchange_gain * slack * m_options.distortion;
+    while (c.count() - 2 >= m_counts.least) {
+      std::optional<Candidate> fewer = m_search.without_pair(c);
+      if (!fewer) return;
+      if (fewer->energy > enough && fewer->energy > c.energy + m_options.worth) return;
+      c = std::move(*fewer);
+      tell(c);
+    }
+  }
+
+  // the best local minimum on the Abel-Jacobi variety, of those that belong to the nearest lattice vectors
+  std::optional<Legal_candidate> legal_best(const Candidate& c, int vectors)
+  {
+    const Moving_divisor free(m_map, c.divisor);
+    try {
+      check_orders(c.divisor, m_surface.delaunay.genus());
+      m_legalization.lattice_vectors = vectors;
+      const Lattice_candidates lattice = nearest_lattice_vectors(free, m_surface.periods, m_legalization);
+      std::optional<internal::Descent> best;
+      const Eigen::VectorXd* best_m = nullptr;
+      for (const Eigen::VectorXd& m : lattice.vectors) {
+        std::optional<internal::Descent> d = descended(free, m, first_iterations);
+        if (d && (!best || d->distortion() < best->distortion())) {
+          best = std::move(d);
+          best_m = &m;
+        }
+      }
+      if (best) best = descended(best->divisor, *best_m, m_descent.iterations);
+      if (!best) return std::nullopt;
+      return Legal_candidate{best->divisor.divisor(), best->distortion(),
+                             area_scale_ratio(best->u, m_distortion.mass())};
+    } catch (const Infeasible_divisor_error& e) {   // this divisor has no legal place; another may have one
+      m_refusal = e.what();
+      return std::nullopt;
+    }
+  }
+
+  std::optional<internal::Descent> descended(Moving_divisor d, const Eigen::VectorXd& m, int iterations)
+  {
+    std::vector<double> history;
+    const internal::Newton_limits limits{m_descent.tolerance, 60, m_descent.longest_step * m_size};
+    if (!internal::move_onto_lattice(d, m, limits, history, m_silent)) {
+      m_refusal = "no lattice vector near by can be reached";
+      return std::nullopt;
+    }
+    Distortion_options options = m_descent;
+    options.iterations = iterations;
+    internal::Descent descent = internal::descend(m_distortion, d, m, options, m_silent);
+    const double least = coarse_least_distance * m_size;
+    if (nearest_singularities(m_surface.delaunay, locations(descent.divisor.divisor()), least).distance < least) {
+      m_refusal = "singularities run into each other";
+      return std::nullopt;
+    }
+    return descent;
+  }
+
+  // of every count the best that was met, without those more distorted than one of fewer singularities
+  std::vector<Pareto_point> pareto(const Legal_candidate& chosen)
+  {
+    grown(m_search.best_by_count().begin()->second, 0.25 * m_options.distortion);
+    std::map<int, Pareto_point> points;
+    const std::map<int, Candidate> candidates = m_search.best_by_count();
+    for (const auto& [count, candidate] : candidates)
+      if (count >= m_counts.least)
+        if (const std::optional<Legal_candidate> legal = legal_best(candidate, 1))
+          points[count] = {count, legal->distortion, legal->area_scale_ratio};
+    const int count = static_cast<int>(chosen.divisor.size());
+    points[count] = {count, chosen.distortion, chosen.area_scale_ratio};
+    std::vector<Pareto_point> front;
+    for (const auto& [n, point] : points)
+      if (front.empty() || point.distortion < front.back().distortion || n == count) front.push_back(point);
+    return front;
+  }
+
+  void tell(const Candidate& c)
+  {
+    std::ostringstream message;
+    message << c.count() << " singularities: area distortion " << c.energy << " without the Abel-Jacobi condition";
+    m_visitor.progress(message.str());
+  }
+
+  const Riemann_surface&     m_surface;
+  Abel_jacobi_map            m_map;
+  Area_distortion            m_distortion;
+  Divisor                    m_given;
+  Singularity_choice_options m_options;
+  Legalization_options       m_legalization;
+  Distortion_options         m_descent;
+  Visitor&                   m_visitor;
+  Silent_visitor             m_silent;
+  Singularity_search         m_search;
+  Counts                     m_counts;
+  double                     m_size;
+  std::optional<Divisor>     m_field;
+  std::string                m_refusal;
+};
+
+// The corner of a point's face that is nearest to it and not taken by another singularity.
+Vertex free_corner(const Intrinsic_triangulation& t, const Surface_point& p, const std::vector<Vertex>& taken)
+{
+  std::array<int, 3> corners{0, 1, 2};
+  std::sort(corners.begin(), corners.end(), [&](int a, int b) { return p.barycentric[a] > p.barycentric[b]; });
+  const auto h = t.halfedges(p.face);
+  for (int c : corners)
+    if (std::find(taken.begin(), taken.end(), t.source(h[c])) == taken.end()) return t.source(h[c]);
+  return t.source(h[corners[0]]);
+}
+
+// Carries a divisor from a coarse surface to vertices of the fine one; those that are given stay exactly where they are.
+Divisor on_fine_surface(const Riemann_surface& fine, const Coarse_surface& coarse, const Divisor& given, Divisor divisor)
+{
+  std::vector<Vertex> taken;
+  for (std::size_t i = 0; i < divisor.size(); ++i) {
+    taken.push_back(free_corner(coarse.triangulation, divisor[i].location, taken));
+    divisor[i].location = i < given.size() && given[i].pinned ? given[i].location
+                        : internal::beside(fine.delaunay, coarse.fine_vertex[taken.back()]);
+  }
+  return divisor;
+}
+
+// The vertices of the fine surface may be nearer to each other than the singularities on the coarse one: the guard
+// drives them apart.
+Divisor separated(const Riemann_surface& s, const Divisor& divisor, Distortion_options options, Visitor& visitor)
+{
+  const double least = coarse_least_distance * std::sqrt(s.delaunay.area());
+  if (nearest_singularities(s.delaunay, locations(divisor), least).distance >= least) return divisor;
+  const Abel_jacobi_map map(s.delaunay, s.homology.cochains, s.forms);
+  const Area_distortion distortion(s.delaunay, s.laplacian, vertex_areas(s.delaunay));
+  options.iterations = first_iterations;
+  return internal::descend(distortion, Moving_divisor(map, divisor), std::nullopt, options, visitor).divisor.divisor();
+}
+
+// Given singularities on the coarse surface: at the nearest of its vertices along edges of the fine one.
+Divisor on_coarse_surface(const Riemann_surface& fine, const Coarse_surface& coarse, Divisor given)
+{
+  std::vector<Vertex> coarse_vertex(fine.delaunay.number_of_vertices(), Mesh::null_vertex());
+  for (Vertex v : coarse.triangulation.vertices()) coarse_vertex[coarse.fine_vertex[v]] = v;
+  for (Singularity& s : given) {
+    const Vertex v = internal::nearest_corner(fine.delaunay, s.location);
+    internal::visit_nearest_first(fine.delaunay, v, [&](Vertex w, double) {
+      if (coarse_vertex[w] == Mesh::null_vertex()) return true;
+      s.location = internal::beside(coarse.triangulation, coarse_vertex[w]);
+      return false;
+    });
+  }
+  return given;
+}
+
+} // namespace
+
+Chosen_singularities choose_singularities(const Riemann_surface& surface, const Divisor& given,
+                                          const Singularity_choice_options& options,
+                                          const Legalization_options& legalization,
+                                          const Distortion_options& distortion, Visitor& visitor)
+{
+  if (surface.delaunay.number_of_vertices() <= options.coarse_vertices)
+    return Search(surface, vertex_areas(surface.delaunay), given, options, legalization, distortion, visitor).best();
+
+  const Coarse_surface coarse = coarsened(surface.delaunay, surface.homology.cochains, options.coarse_vertices);
+  const Riemann_surface searched = riemann_surface(coarse);
+  Chosen_singularities chosen = Search(searched, coarse.mass, on_coarse_surface(surface, coarse, given), options,
+                                       legalization, distortion, visitor).best();
+  chosen.divisor = separated(surface, on_fine_surface(surface, coarse, given, std::move(chosen.divisor)), distortion,
+                             visitor);
+  return chosen;
+}
+
+} } // namespace CGAL::Quartic_differentials

@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/internal/Singularity_search.h>
+#include <CGAL/Quartic_differentials/internal/distortion_descent.h>
+#include <CGAL/Quartic_differentials/internal/near_pairs.h>
+#include <CGAL/Quartic_differentials/internal/vertex_places.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace CGAL {
+namespace Quartic_differentials {
+namespace internal {
+
+namespace {
+
+using Candidate = Singularity_search::Candidate;
+
+const double quarter_turn = CGAL_PI / 2;
+// distances, times sqrt(area)
+const double from_singularities = 0.04;   // of a new one
+const double between_extrema    = 0.12;   // of the places looked at for a new one
+const double merge_distance     = 0.05;
+const int    extrema_of_each_sign = 3;
+const int    pairs_tried = 2;
+// of the descent after a pair has come or gone
+const int    few_iterations = 40;
+const int    moves_tried = 3;
+const double worth_moving = 1e-3;   // part of E that a move has to gain
+const double rough = 1e-3;
+
+struct Pair_change
+{
+  double      change;   // of E
+  std::size_t first, second;
+  bool operator<(const Pair_change& other) const { return change < other.change; }
+};
+
+} // namespace
+
+Singularity_search::Singularity_search(const Area_distortion& distortion, const Abel_jacobi_map& map, std::size_t kept,
+                                       const Singularity_choice_options& options, const Distortion_options& descent,
+                                       Visitor& visitor)
+  : m_distortion(distortion), m_map(map), m_t(distortion.triangulation()), m_kept(kept), m_options(options),
+    m_descent(descent), m_visitor(visitor), m_size(std::sqrt(m_t.area()))
+{}
+
+// The vertices where sign * w is least, apart from each other and from the singularities.
+std::vector<Vertex> Singularity_search::extrema(const Divisor& divisor, const Eigen::VectorXd& w, int sign,
+                                                int count) const
+{
+  Taken_vertices taken(m_t);
+  for (const Singularity& s : divisor) taken.take(nearest_corner(m_t, s.location), from_singularities * m_size);
+  std::vector<Vertex> found;
+  while (static_cast<int>(found.size()) < count) {
+    Vertex best = Mesh::null_vertex();
+    for (Vertex v : m_t.vertices())
+      if (!taken[v] && (best == Mesh::null_vertex() || sign * w[v] < sign * w[best])) best = v;
+    if (best == Mesh::null_vertex()) break;
+    found.push_back(best);
+    taken.take(best, between_extrema * m_size);
+  }
+  return found;
+}
+
+Divisor Singularity_search::completed(Divisor divisor) const
+{
+  const int missing = 8 * m_t.genus() - 8 - degree(divisor), order = missing > 0 ? 1 : -1;
+  for (int k = 0; k < std::abs(missing); ++k) {
+    const Eigen::VectorXd w = m_distortion.potential(m_distortion.log_scale(divisor));
+    const std::vector<Vertex> place = extrema(divisor, w, -order, 1);   // poles at minima, zeros at maxima
+    if (place.empty())
+      throw Infeasible_divisor_error("the surface has no room for " + std::to_string(std::abs(missing))
+                                     + " more singularities " + std::to_string(from_singularities) + " sqrt(area) apart");
+    divisor.push_back({beside(m_t, place.front()), order, false});
+  }
+  return divisor;
+}
+
+Candidate Singularity_search::relaxed(const Divisor& divisor, int iterations, double enough)
+{
+  Distortion_options options = m_descent;
+  options.iterations = iterations;
+  options.enough = enough;
+  Descent descent = descend(m_distortion, Moving_divisor(m_map, divisor), std::nullopt, options, m_visitor);
+  Candidate c{descent.divisor.divisor(), std::move(descent.u), descent.history.back().objective};
+  const auto [best, is_new] = m_best.emplace(c.count(), c);
+  if (!is_new && c.energy < best->second.energy) best->second = c;
+  return c;
+}
+
+std::optional<Candidate> Singularity_search::with_pair(const Candidate& c)
+{
+  const Eigen::VectorXd w = m_distortion.potential(c.u);
+  const std::vector<Vertex> poles = extrema(c.divisor, w, +1, extrema_of_each_sign);
+  const std::vector<Vertex> zeros = extrema(c.divisor, w, -1, extrema_of_each_sign);
+  Divisor added;
+  for (Vertex v : poles) added.push_back({beside(m_t, v), -1, false});
+  for (Vertex v : zeros) added.push_back({beside(m_t, v), +1, false});
+  const Charge_changes changes(m_distortion, c.u, m_distortion.greens_functions(locations(added)));
+  std::vector<Pair_change> pairs;
+  for (std::size_t p = 0; p < poles.size(); ++p)
+    for (std::size_t z = poles.size(); z < added.size(); ++z)
+      if (poles[p] != zeros[z - poles.size()])
+        pairs.push_back({changes.of_pair(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(z), quarter_turn), p, z});
+  std::sort(pairs.begin(), pairs.end());
+
+  std::optional<Candidate> best;
+  for (std::size_t k = 0; k < std::min<std::size_t>(pairs_tried, pairs.size()); ++k) {
+    Divisor divisor = c.divisor;
+    divisor.push_back(added[pairs[k].first]);
+    divisor.push_back(added[pairs[k].second]);
+    Candidate tried = relaxed(divisor, few_iterations, rough);
+    if (!best || tried.energy < best->energy) best = std::move(tried);
+    if (best->energy < c.energy - m_options.worth) break;
+  }
+  return best;
+}
+
+std::optional<Candidate> Singularity_search::without_pair(const Candidate& c)
+{
+  Divisor removable;
+  std::vector<std::size_t> index;
+  for (std::size_t i = m_kept; i < c.divisor.size(); ++i)
+    if (std::abs(c.divisor[i].order) == 1) {
+      removable.push_back(c.divisor[i]);
+      index.push_back(i);
+    }
+  const Charge_changes changes(m_distortion, c.u, m_distortion.greens_functions(locations(removable)));
+  std::optional<Pair_change> cheapest;
+  for (std::size_t p = 0; p < removable.size(); ++p)
+    for (std::size_t z = 0; z < removable.size(); ++z) {
+      if (removable[p].order != -1 || removable[z].order != 1) continue;
+      const Pair_change change{changes.of_pair(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(z), -quarter_turn),
+                               index[p], index[z]};
+      if (!cheapest || change < *cheapest) cheapest = change;
+    }
+  if (!cheapest) return std::nullopt;
+  Divisor divisor = c.divisor;
+  divisor.erase(divisor.begin() + std::max(cheapest->first, cheapest->second));
+  divisor.erase(divisor.begin() + std::min(cheapest->first, cheapest->second));
+  return relaxed(divisor, few_iterations, rough);
+}
+
+// Moves one simple singularity to a far place: of all such moves the ones that change E best are tried.
+std::optional<Candidate> Singularity_search::with_one_elsewhere(const Candidate& c)
+{
+  const Eigen::VectorXd w = m_distortion.potential(c.u);
+  Divisor divisor = c.divisor;
+  for (int order : {-1, 1})
+    for (Vertex v : extrema(c.divisor, w, -order, extrema_of_each_sign))
+      divisor.push_back({beside(m_t, v), order, false});
+  const Charge_changes changes(m_distortion, c.u, m_distortion.greens_functions(locations(divisor)));
+  std::vector<Pair_change> moves;
+  for (std::size_t i = m_kept; i < c.divisor.size(); ++i)
+    for (std::size_t k = c.divisor.size(); k < divisor.size(); ++k)
+      if (divisor[i].order == divisor[k].order)
+        moves.push_back({changes.of_pair(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i),
+                                         -divisor[i].order * quarter_turn), i, k});
+  std::sort(moves.begin(), moves.end());
+  for (std::size_t k = 0; k < std::min<std::size_t>(moves_tried, moves.size()); ++k) {
+    Divisor moved = c.divisor;
+    moved[moves[k].first].location = divisor[moves[k].second].location;
+    Candidate tried = relaxed(moved, few_iterations, rough);
+    if (tried.energy < (1 - worth_moving) * c.energy) return tried;
+  }
+  return std::nullopt;
+}
+
+std::optional<Candidate> Singularity_search::with_another_pair(const Candidate& c)
+{
+  const std::optional<Candidate> more = with_pair(c);
+  if (!more) return std::nullopt;
+  std::optional<Candidate> again = without_pair(*more);
+  if (!again || !(again->energy < (1 - worth_moving) * c.energy)) return std::nullopt;
+  return again;
+}
+
+Candidate Singularity_search::exchanged(Candidate c, int times)
+{
+  for (int k = 0; k < times; ++k) {
+    std::optional<Candidate> better = with_another_pair(c);
+    if (!better) better = with_one_elsewhere(c);
+    if (!better) break;
+    c = std::move(*better);
+  }
+  return c;
+}
+
+Candidate Singularity_search::merged(Candidate c)
+{
+  std::set<std::pair<std::size_t, std::size_t>> refused;
+  for (;;) {
+    double nearest = std::numeric_limits<double>::infinity();
+    std::pair<std::size_t, std::size_t> pair;
+    std::complex<double> middle;   // from the first of them
+    visit_near_pairs(m_t, locations(c.divisor), merge_distance * m_size,
+                     [&](std::size_t i, std::size_t k, std::complex<double> way) {
+      const int a = c.divisor[i].order, b = c.divisor[k].order;
+      if (i > k || i < m_kept || (a > 0) != (b > 0) || a + b < m_options.least_order || a + b > m_options.most_order
+          || refused.count({i, k}) || std::abs(way) >= nearest)
+        return;
+      nearest = std::abs(way);
+      pair = {i, k};
+      middle = 0.5 * way;
+    });
+    if (!std::isfinite(nearest)) return c;
+    Divisor divisor = c.divisor;
+    Singularity& s = divisor[pair.first];
+    s.order += divisor[pair.second].order;
+    s.location = walk(m_t, s.location, middle, [](const Surface_point&, const Surface_point&) {}).point;
+    divisor.erase(divisor.begin() + pair.second);
+    Candidate tried = relaxed(divisor, few_iterations, rough);
+    if (tried.energy < c.energy + 0.05 * m_options.worth) {
+      c = std::move(tried);
+      refused.clear();
+    } else {
+      refused.insert(pair);
+    }
+  }
+}
+
+} } } // namespace CGAL::Quartic_differentials::internal

@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/distortion_descent.h>
+#include <CGAL/Quartic_differentials/internal/near_pairs.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <deque>
+#include <map>
+#include <sstream>
+#include <utility>
+
+namespace CGAL {
+namespace Quartic_differentials {
+namespace internal {
+
+namespace {
+
+const double quarter_turn = CGAL_PI / 2;
+const double first_step = 0.02;        // of the singularity with the largest force, times sqrt(area)
+const double least_decrease = 1e-4;    // Armijo's constant
+const double backtracking = 0.35;
+const int    line_search_steps = 6;
+const int    failures_allowed = 2;     // of the line search, each followed by a restart with steepest descent
+const int    retraction_steps = 12;
+
+double largest_force(const Eigen::VectorXd& g) { return longest_move(g); }
+
+// The inverse Hessian of the last steps (Nocedal and Wright, Numerical Optimization, algorithm 7.4). All vectors are in
+// transported frames, so that steps and gradients of different iterations can be multiplied.
+class Limited_memory_bfgs
+{
+public:
+  explicit Limited_memory_bfgs(int memory) : m_memory(memory) {}
+
+  bool empty() const { return m_pairs.empty(); }
+  void clear() { m_pairs.clear(); }
+  void add(const Eigen::VectorXd& s, const Eigen::VectorXd& y)
+  {
+    if (!(s.dot(y) > 1e-8 * s.norm() * y.norm())) return;   // no positive curvature along s
+    m_pairs.emplace_back(s, y);
+    if (m_pairs.size() > static_cast<std::size_t>(m_memory)) m_pairs.pop_front();
+  }
+  // \pre not empty
+  Eigen::VectorXd times(Eigen::VectorXd q) const
+  {
+    std::vector<double> alpha;
+    for (auto p = m_pairs.rbegin(); p != m_pairs.rend(); ++p) {
+      alpha.push_back(p->first.dot(q) / p->first.dot(p->second));
+      q -= alpha.back() * p->second;
+    }
+    const auto& [s, y] = m_pairs.back();
+    q *= s.dot(y) / y.squaredNorm();
+    for (const auto& p : m_pairs) {
+      q += (alpha.back() - p.second.dot(q) / p.first.dot(p.second)) * p.first;
+      alpha.pop_back();
+    }
+    return q;
+  }
+
+private:
+  std::size_t m_memory;
+  std::deque<std::pair<Eigen::VectorXd, Eigen::VectorXd>> m_pairs;
+};
+
+// A divisor with its objective; the gradient is known once it has been asked for.
+struct State
+{
+  Moving_divisor  divisor;
+  Eigen::VectorXd u;
+  Distance_guard  guard;
+  Distortion_step step;
+};
+
+class Problem
+{
+public:
+  Problem(const Area_distortion& distortion, const std::optional<Eigen::VectorXd>& m, const Distortion_options& options,
+          Visitor& visitor)
+    : m_distortion(distortion), m_lattice_vector(m), m_options(options), m_visitor(visitor),
+      m_size(std::sqrt(distortion.triangulation().area())) {}
+
+  double size() const { return m_size; }
+
+  State state(const Moving_divisor& d, double length) const
+  {
+    Eigen::VectorXd u = m_distortion.log_scale(d.divisor());
+    Distance_guard guard = distance_guard(m_distortion.triangulation(), d.divisor(), m_options.guard_distance * m_size,
+                                          m_options.guard_strength);
+    const double e = m_distortion.energy(u);
+    const double residual = m_lattice_vector ? (d.residual() - quarter_turn * *m_lattice_vector).norm() : 0;
+    const Distortion_step step{e, e + guard.value, residual, length};
+    return {d, std::move(u), std::move(guard), step};
+  }
+  // of the objective, on the tangent space of F = (pi/2) m
+  Eigen::VectorXd gradient(const State& s) const
+  {
+    const Eigen::VectorXd w = m_distortion.potential(s.u);
+    const Eigen::VectorXd g = m_distortion.recovered_gradient(s.divisor.divisor(), w) + s.guard.gradient;
+    return projected(s.divisor, s.divisor.in_transported_frames(g));
+  }
+  Eigen::VectorXd projected(const Moving_divisor& d, const Eigen::VectorXd& v) const
+  {
+    if (!m_lattice_vector || m_lattice_vector->size() == 0) return v;
+    const Eigen::MatrixXd jt = d.jacobian().transpose();
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_squares(jt);
+    least_squares.setThreshold(1e-9);
+    return v - jt * least_squares.solve(v);
+  }
+  // walks and comes back to F = (pi/2) m; none if that fails
+  std::optional<Moving_divisor> moved(Moving_divisor d, const Eigen::VectorXd& step) const
+  {
+    d.move(step);
+    if (!m_lattice_vector || m_lattice_vector->size() == 0) return d;
+    std::vector<double> history;
+    const Newton_limits limits{m_options.tolerance, retraction_steps, m_options.longest_step * m_size};
+    if (!move_onto_lattice(d, *m_lattice_vector, limits, history, m_visitor)) return std::nullopt;
+    return d;
+  }
+  // backtracks along a direction until the objective decreases enough (Armijo)
+  std::optional<State> line_search(const State& from, const Eigen::VectorXd& direction, double slope) const
+  {
+    double t = 1;
+    for (int k = 0; k < line_search_steps; ++k, t *= backtracking) {
+      if (!m_visitor.go_further()) throw Cancelled_error("stopped while optimising the singularities");
+      const std::optional<Moving_divisor> d = moved(from.divisor, t * direction);
+      if (!d) continue;
+      State tried = state(*d, t * longest_move(direction));
+      if (tried.step.objective <= from.step.objective + least_decrease * t * slope) return tried;
+    }
+    return std::nullopt;
+  }
+
+private:
+  const Area_distortion&                m_distortion;
+  const std::optional<Eigen::VectorXd>& m_lattice_vector;
+  const Distortion_options&             m_options;
+  Visitor&                              m_visitor;
+  double                                m_size;
+};
+
+// whether the last five steps together gained less than the given part of the objective
+bool stagnates(const std::vector<Distortion_step>& h, double enough)
+{
+  return h.size() > 5 && h[h.size() - 6].objective - h.back().objective < enough * h.back().objective;
+}
+
+} // namespace
+
+Distance_guard distance_guard(const Intrinsic_triangulation& t, const Divisor& divisor, double distance, double strength)
+{
+  std::map<std::pair<std::size_t, std::size_t>, std::complex<double>> shortest;
+  visit_near_pairs(t, locations(divisor), distance, [&](std::size_t i, std::size_t k, std::complex<double> way) {
+    const auto [known, is_new] = shortest.emplace(std::make_pair(i, k), way);
+    if (!is_new && std::abs(way) < std::abs(known->second)) known->second = way;
+  });
+  Distance_guard guard{0, Eigen::VectorXd::Zero(2 * divisor.size())};
+  for (const auto& [pair, way] : shortest) {
+    const double d = std::abs(way), missing = 1 - d / distance;
+    // points on top of each other are driven apart in different directions
+    const std::complex<double> towards = d > 1e-9 * distance ? way / d : std::polar(1.0, double(pair.first));
+    guard.value += 0.5 * strength * missing * missing;   // half, as every pair is seen from both ends
+    guard.gradient[2 * pair.first] += 2 * strength * missing / distance * towards.real();
+    guard.gradient[2 * pair.first + 1] += 2 * strength * missing / distance * towards.imag();
+  }
+  return guard;
+}
+
+Descent descend(const Area_distortion& distortion, const Moving_divisor& start,
+                const std::optional<Eigen::VectorXd>& lattice_vector, const Distortion_options& options,
+                Visitor& visitor)
+{
+  const Problem problem(distortion, lattice_vector, options, visitor);
+  State state = problem.state(start, 0);
+  std::vector<Distortion_step> history{state.step};
+  Limited_memory_bfgs inverse_hessian(options.memory);
+  Eigen::VectorXd g = problem.gradient(state);
+  for (int iteration = 0, failures = 0; iteration < options.iterations && largest_force(g) > 0; ++iteration) {
+    const double longest = options.longest_step * problem.size();
+    Eigen::VectorXd direction;
+    if (!inverse_hessian.empty()) direction = -problem.projected(state.divisor, inverse_hessian.times(g));
+    if (inverse_hessian.empty() || !(direction.dot(g) < -1e-12 * direction.norm() * g.norm())) {
+      inverse_hessian.clear();
+      direction = -g * (first_step * problem.size() / largest_force(g));
+    }
+    if (const double l = longest_move(direction); l > longest) direction *= longest / l;
+
+    std::optional<State> next = problem.line_search(state, direction, direction.dot(g));
+    if (!next) {
+      if (inverse_hessian.empty() || ++failures > failures_allowed) break;
+      inverse_hessian.clear();
+      continue;
+    }
+    const Eigen::VectorXd g_next = problem.gradient(*next);
+    const double t = longest_move(direction) > 0 ? next->step.length / longest_move(direction) : 0;
+    inverse_hessian.add(t * direction, g_next - g);
+    state = std::move(*next);
+    g = g_next;
+    history.push_back(state.step);
+    if (iteration % 10 == 9) {
+      std::ostringstream message;
+      message << "step " << history.size() - 1 << ": area distortion " << state.step.distortion;
+      visitor.progress(message.str());
+    }
+    if (stagnates(history, options.enough)) break;
+  }
+  return {std::move(state.divisor), std::move(state.u), std::move(history)};
+}
+
+} } } // namespace CGAL::Quartic_differentials::internal

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/Common_refinement.h>
+#include <CGAL/Quartic_differentials/delaunay_flips.h>
+#include <CGAL/Quartic_differentials/internal/Timed_step.h>
+#include <CGAL/Quartic_differentials/riemann_surface.h>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+using internal::Timed_step;
+
+void add_harmonic_forms(Riemann_surface& s)
+{
+  s.weights = cotangent_weights(s.delaunay, s.delaunay.lengths());
+  s.laplacian.factorize(s.delaunay, s.weights);
+  s.forms = harmonic_1_forms(s.delaunay, s.homology.cochains, s.weights, s.laplacian);
+}
+
+} // namespace
+
+Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor)
+{
+  Riemann_surface s;
+  {
+    const Timed_step step(visitor, "homology");
+    s.homology = homology_basis(input);
+  }
+  {
+    const Timed_step step(visitor, "refinement");
+    s.delaunay = input;
+    Common_refinement refinement(input);
+    s.flips = make_delaunay(s.delaunay, s.homology.cochains, refinement);
+    s.refinement.emplace(refinement, s.delaunay);
+  }
+  {
+    const Timed_step step(visitor, "holomorphic_forms");
+    add_harmonic_forms(s);
+  }
+  {
+    const Timed_step step(visitor, "period_matrix");
+    s.periods = period_matrix(s.forms);
+    if (input.genus() > 1)
+      s.zeros = zeros_of_holomorphic_form(s.delaunay, s.forms, Eigen::VectorXd::Ones(s.forms.size()), s.periods.star);
+  }
+  return s;
+}
+
+Riemann_surface riemann_surface(const Coarse_surface& coarse)
+{
+  Riemann_surface s;
+  s.delaunay = coarse.triangulation;
+  s.homology.cochains = coarse.cochains;
+  add_harmonic_forms(s);
+  s.periods = period_matrix(s.forms);
+  return s;
+}
+
+} } // namespace CGAL::Quartic_differentials
