@@ -4,6 +4,7 @@
 
 #include "report.h"
 
+#include <CGAL/Quartic_differentials/Area_distortion.h>
 #include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/laplacian.h>
 #include <CGAL/version.h>
@@ -94,9 +95,43 @@ Json abel_jacobi_report(const Quartic_differential_result& r)
   Json image = Json::array();
   for (Eigen::Index k = 0; k < r.image->image.size(); ++k)
     image.push_back({{"re", r.image->image[k].real()}, {"im", r.image->image[k].imag()}});
-  return {{"integers", {{"s", r.image->s}, {"t", r.image->t}}}, {"residual", r.legal->history.back()},
+  return {{"integers", {{"s", r.image->s}, {"t", r.image->t}}}, {"residual", r.legal->residual.norm()},
           {"iterations", r.legal->history.size() - 1}, {"history", r.legal->history},
           {"lattice_vectors_tried", r.legal->tried}, {"closest_vector_certified", r.legal->certified}, {"image", image}};
+}
+
+// E of the linearised flat metric and its area scale, from the first choice to the legal divisor
+Json distortion_report(const Quartic_differential_result& r)
+{
+  Json report;
+  if (r.choice) {
+    const Chosen_singularities& c = *r.choice;
+    Json starts = Json::array();
+    for (const Start_of_search& s : c.starts)
+      starts.push_back({{"from", s.name}, {"count", s.count}, {"distortion", s.distortion},
+                        {"area_scale_99_to_1_percent", s.area_scale_ratio}});
+    report["starts"] = starts;
+    report["search"] = {{"vertices", c.searched_vertices}, {"count", c.divisor.size()}, {"distortion", c.distortion},
+                        {"solves", c.solves}};
+    if (!c.pareto.empty()) {
+      Json curve = Json::array();
+      for (const Pareto_point& p : c.pareto)
+        curve.push_back({{"count", p.count}, {"distortion", p.distortion}, {"area_scale_99_to_1_percent", p.area_scale_ratio}});
+      report["pareto"] = curve;
+    }
+  }
+  if (r.optimal) {
+    Json history = Json::array();
+    for (const Distortion_step& s : r.optimal->history) history.push_back(s.distortion);
+    report["before_optimization"] = {{"distortion", r.optimal->history.front().distortion},
+                                     {"area_scale_99_to_1_percent", r.optimal->area_scale_before}};
+    report["after_optimization"] = {{"distortion", r.distortion},
+                                    {"area_scale_99_to_1_percent", r.optimal->area_scale_after}};
+    report["history"] = history;
+  }
+  report["distortion"] = r.distortion;
+  report["solves"] = r.solves;
+  return report;
 }
 
 Json singularities_report(const Run_facts& facts, const Quartic_differential_result& r)
@@ -106,6 +141,8 @@ Json singularities_report(const Run_facts& facts, const Quartic_differential_res
     const Singularity& s = r.singularities[i];
     Json entry = {{"order", s.order}, {"valence", s.order + 4}, {"pinned", s.pinned}};
     if (facts.input->is_embedded()) entry["position"] = point(position_on_input(*facts.input, s.location));
+    if (facts.input->is_embedded())
+      entry["started_at"] = point(position_on_input(*facts.input, r.surface->refinement->to_input((*r.initial)[i].location)));
     entry["moved_by"] = r.legal->moved_by[i] + r.metric->moved_by[i];
     list.push_back(entry);
   }
@@ -131,17 +168,6 @@ Json t_mesh_report(const T_mesh& t)
           {"meetings", count[T_mesh::Node_kind::meeting]}};
 }
 
-// The value below which the given share of the weight lies.
-double quantile(std::vector<std::pair<double, double>> value_and_weight, double share)
-{
-  std::sort(value_and_weight.begin(), value_and_weight.end());
-  double total = 0, sum = 0;
-  for (const auto& [value, weight] : value_and_weight) total += weight;
-  for (const auto& [value, weight] : value_and_weight)
-    if ((sum += weight) >= share * total) return value;
-  return value_and_weight.back().first;
-}
-
 // sigma_1 / sigma_2 of the map of a triangle to the plane, given both sets of lengths
 double conformal_distortion(const std::array<double, 3>& l, const std::array<double, 3>& flat)
 {
@@ -161,11 +187,11 @@ Json quality_report(const Run_facts& facts, const Quartic_differential_result& r
   const Intrinsic_triangulation& before = r.surface->delaunay;
   const Cone_metric& m = r.metric->metric;
   const std::vector<double> areas = vertex_areas(*facts.input);
-  std::vector<std::pair<double, double>> scale;
-  for (Vertex v : facts.input->vertices()) scale.emplace_back(std::exp(2 * m.u[v]), areas[v]);
+  const Eigen::VectorXd mass = Eigen::Map<const Eigen::VectorXd>(areas.data(), areas.size());
+  const Eigen::VectorXd u = Eigen::Map<const Eigen::VectorXd>(m.u.data(), mass.size());   // the cones follow
+  const double mean_u = u.dot(mass) / mass.sum();
 
-  std::vector<std::pair<double, double>> distortion;
-  double unflipped = 0, mean = 0;
+  std::vector<double> distortion, weight;
   for (Face f : before.faces()) {
     const auto h = before.halfedges(f), k = m.triangulation.halfedges(f);
     if (std::find(k.begin(), k.end(), h[0]) == k.end()) continue;
@@ -177,16 +203,17 @@ Json quality_report(const Run_facts& facts, const Quartic_differential_result& r
       flat[c] = m.lengths[m.triangulation.edge(h[c])];
     }
     if (!same) continue;
-    const double area = four_times_area(l[0], l[1], l[2]) / 4;
-    distortion.emplace_back(conformal_distortion(l, flat), area);
-    unflipped += area;
-    mean += distortion.back().first * area;
+    distortion.push_back(conformal_distortion(l, flat));
+    weight.push_back(four_times_area(l[0], l[1], l[2]) / 4);
   }
-  Json quality = {{"area_scale_99_to_1_percent", quantile(scale, 0.99) / quantile(scale, 0.01)}};
-  if (!distortion.empty())
-    quality["conformal_distortion"] = {{"mean", mean / unflipped}, {"95_percent", quantile(distortion, 0.95)},
-                                       {"max", std::max_element(distortion.begin(), distortion.end())->first},
-                                       {"share_of_area", unflipped / before.area()}};
+  Json quality = {{"area_scale_99_to_1_percent", area_scale_ratio(u, mass)},
+                  {"area_distortion", (u.array() - mean_u).square().matrix().dot(mass) / mass.sum()}};
+  if (!distortion.empty()) {
+    const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(distortion.data(), distortion.size());
+    const Eigen::VectorXd w = Eigen::Map<const Eigen::VectorXd>(weight.data(), weight.size());
+    quality["conformal_distortion"] = {{"mean", x.dot(w) / w.sum()}, {"95_percent", weighted_quantile(x, w, 0.95)},
+                                       {"max", x.maxCoeff()}, {"share_of_area", w.sum() / before.area()}};
+  }
   return quality;
 }
 
@@ -235,6 +262,7 @@ Json run_report(const Run_facts& facts, const Quartic_differential_result& r)
   if (!facts.failure.empty()) report["failure"] = facts.failure;
   report.update(surface_report(facts, r.surface ? &*r.surface : nullptr));
   if (r.image) report["abel_jacobi"] = abel_jacobi_report(r);
+  if (r.legal) report["distortion"] = distortion_report(r);
   if (r.metric) {
     report["singularities"] = singularities_report(facts, r);
     report["flow"] = flow_report(*r.metric);

@@ -9,6 +9,7 @@
 #include <CGAL/Quartic_differentials/IO/read_surface.h>
 #include <CGAL/Quartic_differentials/IO/singularities.h>
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
+#include <CGAL/Quartic_differentials/IO/write_pareto.h>
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
@@ -37,7 +38,8 @@ struct Run_options
 };
 
 const char* const output_files[] = {"flat_intrinsic.json", "flat_intrinsic.obj", "flat_intrinsic.mtl",
-                                    "flat_intrinsic.png", "tmesh.json", "tmesh.vtp", "singularities.txt", "report.json"};
+                                    "flat_intrinsic.png", "tmesh.json", "tmesh.vtp", "singularities.txt", "pareto.csv", "pareto.svg",
+                                    "report.json"};
 
 // Makes the folder and removes what an earlier run left there, so that results of two runs never mix.
 void prepare_folder(const fs::path& folder)
@@ -48,8 +50,16 @@ void prepare_folder(const fs::path& folder)
   for (const char* name : output_files) fs::remove(folder / name, error);
 }
 
-void write_results(const std::string& folder, const Intrinsic_triangulation& input, const Quartic_differential_result& r)
+void write_results(const std::string& folder, const Intrinsic_triangulation& input, double wanted_distortion,
+                   const Quartic_differential_result& r)
 {
+  if (r.choice && !r.choice->pareto.empty()) {
+    const Chosen_singularities& c = *r.choice;
+    write_file(folder + "/pareto.csv", [&](std::ostream& out) { write_pareto_csv(out, c.pareto); });
+    write_file(folder + "/pareto.svg", [&](std::ostream& out) {
+      write_pareto_svg(out, c.pareto, static_cast<int>(c.divisor.size()), wanted_distortion);
+    });
+  }
   if (!r.singularities.empty() && input.is_embedded())
     write_file(folder + "/singularities.txt", [&](std::ostream& out) { write_singularities(out, r.singularities, input); });
   if (r.differential && r.immersion.flipped_triangles == 0) {
@@ -101,7 +111,7 @@ void run(const Run_options& options)
   }
   {
     const internal::Timed_step step(timed, "write");
-    write_results(options.folder, input, result);
+    write_results(options.folder, input, options.pipeline.choice.distortion, result);
   }
   const Json report = run_report(facts, result);
   write_file(options.folder + "/report.json", [&](std::ostream& out) { out << report.dump(1) << '\n'; });
@@ -123,9 +133,38 @@ void add_run(CLI::App& app)
   command->add_option("-o,--output", options->folder, "Folder for the results; made if it is not there")->required();
   command->add_option("--singularities", options->singularities,
                       "File with the singularities to start from, lines 'x y z order [pinned]' (order = valence - 4)");
-  command->add_option("--count", options->pipeline.count,
-                      "Number of singularities when no file is given; the next number of the right parity is taken")
-         ->check(CLI::NonNegativeNumber);
+  Singularity_choice_options& choice = options->pipeline.choice;
+  command->add_option("--distortion", choice.distortion,
+                      "Choose as few singularities as this area distortion allows: the mean square of the log of the "
+                      "scale of lengths")
+         ->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("--count", choice.count,
+                      "Choose this number of singularities; the next number of the right parity is taken")
+         ->check(CLI::PositiveNumber);
+  const std::map<std::string, Singularity_start> starts{
+    {"auto", Singularity_start::automatic}, {"curvature", Singularity_start::curvature},
+    {"field", Singularity_start::field}, {"pairs", Singularity_start::pairs}};
+  command->add_option("--start", choice.start,
+                      "Start the choice from extrema of the 'curvature', from the smoothest direction 'field', from the "
+                      "least number by adding 'pairs', or the better of the last two")
+         ->transform(CLI::CheckedTransformer(starts, CLI::ignore_case).description(""))
+         ->type_name("auto|curvature|field|pairs")->default_str("auto");
+  command->add_option("--least-order", choice.least_order,
+                      "Poles that meet are merged down to this order when singularities are chosen")
+         ->check(CLI::Range(-3, -1))->capture_default_str();
+  command->add_option("--most-order", choice.most_order,
+                      "Zeros that meet are merged up to this order when singularities are chosen")
+         ->check(CLI::Range(1, 20))->capture_default_str();
+  command->add_option("--min-distance", options->pipeline.distortion.guard_distance,
+                      "Singularities nearer than this times the square root of the area repel each other")
+         ->check(CLI::Range(0.01, 0.2))->capture_default_str();
+  command->add_option("--seed", choice.seed, "Seed of the direction field's eigenvector")->capture_default_str();
+  command->add_flag_function("--optimize,!--no-optimize", [options](std::int64_t n) {
+    options->pipeline.optimize = n > 0 ? Optimize::always : Optimize::never;
+  }, "Move the singularities to where areas are distorted least; the default for chosen ones, not for a "
+                            "file's; --no-optimize takes extrema of the curvature, as the paper does");
+  command->add_flag("--pareto", choice.pareto,
+                    "Also write pareto.csv and pareto.svg: the least distortion found for every number of singularities");
   command->add_flag("--repair-degree", options->pipeline.repair_degree,
                     "Add simple singularities at curvature extrema until the orders of the file add up to 8g-8");
   const std::map<std::string, Lattice_norm> norms{{"movement", Lattice_norm::movement}, {"paper", Lattice_norm::paper}};
@@ -141,5 +180,8 @@ void add_run(CLI::App& app)
          ->transform(CLI::CheckedTransformer(routes, CLI::ignore_case).description(""))
          ->type_name("curvature|zeros")->default_str("curvature");
   command->add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
-  command->callback([options] { run(*options); });
+  command->callback([options, command] {
+    options->pipeline.add_to_given = command->count("--distortion") + command->count("--count") > 0;
+    run(*options);
+  });
 }

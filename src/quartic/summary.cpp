@@ -50,6 +50,14 @@ void print_summary(std::ostream& out, const Json& report)
         + std::to_string(report["abel_jacobi"]["iterations"].get<int>()) + " Gauss-Newton steps");
   if (report.contains("singularities"))
     row(out, "singularities", std::to_string(report["singularities"].size()) + ": " + valences(report["singularities"]));
+  if (report.contains("distortion")) {
+    const Json& d = report["distortion"];
+    std::string text = number(d["distortion"]);
+    if (d.contains("before_optimization") && !d.contains("search"))
+      text += ", from " + number(d["before_optimization"]["distortion"]);
+    text += " (mean square of the log scale of lengths)";
+    row(out, "area distortion", text);
+  }
   if (report.contains("flow")) {
     row(out, "flat metric", "curvature error " + number(report["flow"]["max_curvature_error"]) + " rad, "
         + std::to_string(report["flow"]["newton_iterations"].get<int>()) + " Newton steps; area scale varies by a factor of "

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -115,6 +116,50 @@ void check_run()
   CHECK_EQUAL(quartic("verify results").status, 2);
 }
 
+nlohmann::json report_of(const char* run) { return nlohmann::json::parse(contents(folder / run / "report.json")); }
+
+void check_choice()
+{
+  CHECK_EQUAL(quartic("run chain.off -o counted --count 15 -q").status, 0);
+  const nlohmann::json counted = report_of("counted");
+  CHECK_EQUAL(counted["singularities"].size(), 16u);   // parity
+  for (const nlohmann::json& s : counted["singularities"]) CHECK(s["started_at"].size() == 3 && s["moved_by"] >= 0);
+  CHECK(counted["distortion"]["search"]["solves"] > 0);
+
+  CHECK_EQUAL(quartic("run chain.off -o rough --distortion 0.1 -q").status, 0);
+  CHECK(report_of("rough")["singularities"].size() < counted["singularities"].size());
+  CHECK_EQUAL(quartic("run chain.off -o field --start field -q").status, 0);
+  CHECK(report_of("field")["distortion"]["starts"][0]["from"] == "field");
+
+  // the paper's: extrema of the curvature, legalized only
+  CHECK_EQUAL(quartic("run chain.off -o paper --no-optimize --count 16 -q").status, 0);
+  const nlohmann::json paper = report_of("paper");
+  CHECK(!paper["distortion"].contains("after_optimization"));
+  CHECK(paper["distortion"]["distortion"] > 2 * counted["distortion"]["distortion"].get<double>());
+  // the same singularities, optimised; and left as they are
+  CHECK_EQUAL(quartic("run chain.off -o optimised --singularities paper/singularities.txt --optimize -q").status, 0);
+  CHECK(report_of("optimised")["distortion"]["distortion"] < paper["distortion"]["distortion"]);
+  CHECK_EQUAL(quartic("run chain.off -o same --singularities paper/singularities.txt -q").status, 0);
+  const double same = report_of("same")["distortion"]["distortion"].get<double>();
+  CHECK_NEAR(same, paper["distortion"]["distortion"].get<double>(), 1e-2 * same);
+  // more beside those of a file
+  std::ofstream(folder / "one.txt") << "0 0 1 2 pinned\n";
+  CHECK_EQUAL(quartic("run chain.off -o more --singularities one.txt --count 15 -q").status, 0);
+  const nlohmann::json more = report_of("more");
+  CHECK(more["singularities"].size() == 15 && more["singularities"][0]["order"] == 2);
+  CHECK(more["singularities"][0]["pinned"] == true && more["singularities"][0]["moved_by"] == 0);
+
+  CHECK_EQUAL(quartic("run chain.off -o curve --pareto -q").status, 0);
+  const std::string table = contents(folder / "curve" / "pareto.csv");
+  CHECK(contains(table, "count,distortion,area_scale_99_to_1_percent\n8,"));
+  CHECK_EQUAL(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')),
+              report_of("curve")["distortion"]["pareto"].size() + 1);
+  CHECK(contains(contents(folder / "curve" / "pareto.svg"), "</svg>"));
+  check_failure("run chain.off -o few --count 6", 2, "at least 8");
+  check_failure("run chain.off -o wrong --start middle", 1, "--start");
+  check_failure("run chain.off -o wrong --distortion -1", 1, "--distortion");
+}
+
 void check_refused_input()
 {
   std::ofstream(folder / "open.off") << "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";
@@ -142,6 +187,7 @@ int main()
   check_sample();
   check_info();
   check_run();
+  check_choice();
   check_refused_input();
   fs::remove_all(folder);
   return Quartic_test::result();
