@@ -87,7 +87,6 @@ public:
       m_search(m_distortion, m_map, given.size(), m_options, m_descent, m_silent),
       m_counts(counts(s.delaunay.genus(), given, options)), m_size(std::sqrt(s.delaunay.area()))
   {
-    m_legalization.lattice_vectors = lattice_vectors;
   }
 
   Chosen_singularities best()

@@ -81,6 +81,22 @@ void require_reached(const Exact_cone_metric& m)
                         + " rad on the basis loops and " + scientific(m.max_transition_error) + " rad on edges");
 }
 
+void require_same_metric(const Refined_cone_metric& r)
+{
+  if (r.max_curvature_error <= 1e-9) return;
+  throw Numerical_error("the input's triangles are too thin to carry the flat metric: its curvature error is "
+                        + scientific(r.max_curvature_error) + " rad there");
+}
+
+void require_valid(const Refined_surface& refined)
+{
+  if (refined.flipped_triangles > 0)
+    throw Numerical_error(std::to_string(refined.flipped_triangles) + " triangles of the refined surface are too small for "
+                          "the grid: the input has triangles that are too thin, or the scale factors vary too much");
+  if (const std::string violation = defect(refined.differential); !violation.empty())
+    throw Numerical_error("the refined surface does not carry the flat metric: " + violation);
+}
+
 // The final divisor on the input, and the cones' places in space.
 void place_singularities(const Intrinsic_triangulation& input, Quartic_differential_result& r)
 {
@@ -118,16 +134,27 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
   result.metric = exact_cone_metric(s.delaunay, s.homology.cochains, result.legal->divisor, options.cone_metric, visitor);
   place_singularities(input, result);
   require_reached(*result.metric);
+  const Cone_metric& m = result.metric->metric;
+  {
+    const Timed_step step(visitor, "refinement");
+    result.refined_metric = refined_cone_metric(input, result.singularities, m);
+    require_same_metric(*result.refined_metric);
+  }
+  const Refined_cone_metric& r = *result.refined_metric;
   {
     const Timed_step step(visitor, "immersion");
-    const Cone_metric& m = result.metric->metric;
-    result.differential = immersion(m.triangulation, m.lengths, m.cones, m.order, input.area(), options.immersion,
+    result.differential = immersion(r.triangulation, r.lengths, m.cones, m.order, input.area(), options.immersion,
                                     result.immersion);
     require_resolved_triangles(result.immersion);
   }
+  if (input.is_embedded()) {
+    const Timed_step step(visitor, "refinement");
+    result.refined = refined_surface(r, m.u, *result.differential);
+    require_valid(*result.refined);
+  }
   if (!result.singularities.empty()) {
     const Timed_step step(visitor, "t_mesh");
-    result.t_mesh = t_mesh(*result.differential, visitor);
+    result.t_mesh = t_mesh(result.traced(), visitor);
   }
 }
 

@@ -181,39 +181,37 @@ double conformal_distortion(const std::array<double, 3>& l, const std::array<dou
   return x + std::sqrt(x * x - 1);
 }
 
-// Area scale e^2u over the input's vertices; conformal distortion over the faces that no flip has changed.
+// sigma_1 / sigma_2 of the map of every triangle of the subdivided input to the plane
+Json conformal_report(const Quartic_differential& q)
+{
+  const Intrinsic_triangulation& t = q.triangulation;
+  Eigen::VectorXd distortion(t.number_of_faces()), area(t.number_of_faces());
+  for (Face f : t.faces()) {
+    const auto h = t.halfedges(f);
+    std::array<double, 3> l, flat;
+    for (int k = 0; k < 3; ++k) {
+      const Grid_vector d = q.corner[h[(k + 1) % 3]] - q.corner[h[k]];
+      l[k] = t.length(h[k]);
+      flat[k] = std::hypot(static_cast<double>(d.x), static_cast<double>(d.y));
+    }
+    distortion[f.idx()] = conformal_distortion(l, flat);
+    area[f.idx()] = four_times_area(l[0], l[1], l[2]) / 4;
+  }
+  return {{"mean", distortion.dot(area) / area.sum()}, {"95_percent", weighted_quantile(distortion, area, 0.95)},
+          {"max", distortion.maxCoeff()},
+          {"share_of_area_above_10", (distortion.array() > 10).select(area.array(), 0).sum() / area.sum()}};
+}
+
+// Area scale e^2u over the input's vertices; conformal distortion where there are positions in space.
 Json quality_report(const Run_facts& facts, const Quartic_differential_result& r)
 {
-  const Intrinsic_triangulation& before = r.surface->delaunay;
-  const Cone_metric& m = r.metric->metric;
   const std::vector<double> areas = vertex_areas(*facts.input);
   const Eigen::VectorXd mass = Eigen::Map<const Eigen::VectorXd>(areas.data(), areas.size());
-  const Eigen::VectorXd u = Eigen::Map<const Eigen::VectorXd>(m.u.data(), mass.size());   // the cones follow
+  const Eigen::VectorXd u = Eigen::Map<const Eigen::VectorXd>(r.metric->metric.u.data(), mass.size());   // the cones follow
   const double mean_u = u.dot(mass) / mass.sum();
-
-  std::vector<double> distortion, weight;
-  for (Face f : before.faces()) {
-    const auto h = before.halfedges(f), k = m.triangulation.halfedges(f);
-    if (std::find(k.begin(), k.end(), h[0]) == k.end()) continue;
-    std::array<double, 3> l, flat;
-    bool same = true;
-    for (int c = 0; c < 3; ++c) {
-      same = same && m.triangulation.face(h[c]) == f && m.triangulation.source(h[c]) == before.source(h[c]);
-      l[c] = before.length(h[c]);
-      flat[c] = m.lengths[m.triangulation.edge(h[c])];
-    }
-    if (!same) continue;
-    distortion.push_back(conformal_distortion(l, flat));
-    weight.push_back(four_times_area(l[0], l[1], l[2]) / 4);
-  }
   Json quality = {{"area_scale_99_to_1_percent", area_scale_ratio(u, mass)},
                   {"area_distortion", (u.array() - mean_u).square().matrix().dot(mass) / mass.sum()}};
-  if (!distortion.empty()) {
-    const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(distortion.data(), distortion.size());
-    const Eigen::VectorXd w = Eigen::Map<const Eigen::VectorXd>(weight.data(), weight.size());
-    quality["conformal_distortion"] = {{"mean", x.dot(w) / w.sum()}, {"95_percent", weighted_quantile(x, w, 0.95)},
-                                       {"max", x.maxCoeff()}, {"share_of_area", w.sum() / before.area()}};
-  }
+  if (r.refined) quality["conformal_distortion"] = conformal_report(r.refined->differential);
   return quality;
 }
 
@@ -276,9 +274,14 @@ Json run_report(const Run_facts& facts, const Quartic_differential_result& r)
                            {"flips", r.immersion.flipped_triangles}, {"min_altitude", r.immersion.min_altitude},
                            {"cut_edges", r.immersion.cut_edges}, {"segments", r.immersion.segments},
                            {"rotation_error_radians", r.immersion.rotation_error},
-                           {"largest_move", r.immersion.largest_move},
-                           {"surface", "flat_intrinsic.obj draws the flat triangulation straight between the vertices: "
-                                       "an approximation of the input surface"}};
+                           {"largest_move", r.immersion.largest_move}};
+  }
+  if (r.refined) {
+    const Intrinsic_triangulation& t = r.refined->differential.triangulation;
+    report["refinement"] = {{"vertices", t.number_of_vertices()}, {"faces", t.number_of_faces()},
+                            {"faces_by_input_face", static_cast<double>(t.number_of_faces())
+                                                    / static_cast<double>(facts.input->number_of_faces())},
+                            {"flips", r.refined->flipped_triangles}};
   }
   if (r.t_mesh) report["tmesh"] = t_mesh_report(*r.t_mesh);
 

@@ -33,11 +33,11 @@ namespace {
 struct Run_options
 {
   std::string                  mesh, folder, singularities;
-  bool                         quiet = false;
+  bool                         quiet = false, intrinsic = false;
   Quartic_differential_options pipeline;
 };
 
-const char* const output_files[] = {"flat_intrinsic.json", "flat_intrinsic.obj", "flat_intrinsic.mtl",
+const char* const output_files[] = {"flat.obj", "flat.mtl", "flat.png", "flat_intrinsic.json", "flat_intrinsic.obj", "flat_intrinsic.mtl",
                                     "flat_intrinsic.png", "tmesh.json", "tmesh.vtp", "singularities.txt", "pareto.csv", "pareto.svg",
                                     "report.json"};
 
@@ -51,7 +51,7 @@ void prepare_folder(const fs::path& folder)
 }
 
 void write_results(const std::string& folder, const Intrinsic_triangulation& input, double wanted_distortion,
-                   const Quartic_differential_result& r)
+                   bool intrinsic, const Quartic_differential_result& r)
 {
   if (r.choice && !r.choice->pareto.empty()) {
     const Chosen_singularities& c = *r.choice;
@@ -64,12 +64,15 @@ void write_results(const std::string& folder, const Intrinsic_triangulation& inp
     write_file(folder + "/singularities.txt", [&](std::ostream& out) { write_singularities(out, r.singularities, input); });
   if (r.differential && r.immersion.flipped_triangles == 0) {
     write_file(folder + "/flat_intrinsic.json", [&](std::ostream& out) { write_flat_intrinsic_json(out, *r.differential); });
-    if (input.is_embedded()) write_flat_intrinsic_obj(folder, *r.differential);
+    if (r.refined && r.refined->flipped_triangles == 0) write_flat_obj(folder, "flat", r.refined->differential);
+    if (intrinsic && input.is_embedded()) write_flat_obj(folder, "flat_intrinsic", *r.differential);
   }
   if (r.t_mesh) {
-    write_file(folder + "/tmesh.json", [&](std::ostream& out) { write_t_mesh_json(out, *r.t_mesh, *r.differential); });
+    write_file(folder + "/tmesh.json", [&](std::ostream& out) {
+      write_t_mesh_json(out, *r.t_mesh, r.traced(), r.refined ? "input" : "flat_intrinsic");
+    });
     if (input.is_embedded())
-      write_file(folder + "/tmesh.vtp", [&](std::ostream& out) { write_t_mesh_vtp(out, *r.t_mesh, *r.differential); });
+      write_file(folder + "/tmesh.vtp", [&](std::ostream& out) { write_t_mesh_vtp(out, *r.t_mesh, r.traced()); });
   }
 }
 
@@ -111,7 +114,7 @@ void run(const Run_options& options)
   }
   {
     const internal::Timed_step step(timed, "write");
-    write_results(options.folder, input, options.pipeline.choice.distortion, result);
+    write_results(options.folder, input, options.pipeline.choice.distortion, options.intrinsic, result);
   }
   const Json report = run_report(facts, result);
   write_file(options.folder + "/report.json", [&](std::ostream& out) { out << report.dump(1) << '\n'; });
@@ -179,6 +182,8 @@ void add_run(CLI::App& app)
                       "from the 'zeros' of a holomorphic 1-form")
          ->transform(CLI::CheckedTransformer(routes, CLI::ignore_case).description(""))
          ->type_name("curvature|zeros")->default_str("curvature");
+  command->add_flag("--intrinsic", options->intrinsic,
+                    "Also write flat_intrinsic.obj: the flat triangulation, drawn straight between its vertices");
   command->add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
   command->callback([options, command] {
     options->pipeline.add_to_given = command->count("--distortion") + command->count("--count") > 0;

@@ -67,6 +67,10 @@ void print_summary(std::ostream& out, const Json& report)
   if (report.contains("immersion") && report["immersion"]["flips"] == 0)
     row(out, "charts", "exact on a grid of 2^-" + std::to_string(report["immersion"]["grid_exponent"].get<int>())
         + ", no triangle flipped");
+  if (report.contains("refinement"))
+    row(out, "flat surface", std::to_string(report["refinement"]["faces"].get<std::size_t>())
+        + " triangles in the input's faces, conformal distortion "
+        + number(report["quality"]["conformal_distortion"]["mean"], 4) + " on average");
   if (report.contains("tmesh"))
     row(out, "T-mesh", std::to_string(report["tmesh"]["patches"].get<std::size_t>()) + " rectangles, "
         + std::to_string(report["tmesh"]["t_junctions"].get<int>()) + " T-junctions");

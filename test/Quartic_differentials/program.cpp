@@ -92,12 +92,15 @@ void check_run()
   const Outcome o = quartic("run chain.off -o results");
   CHECK_EQUAL(o.status, 0);
   CHECK(contains(o.out, "rectangles"));
-  for (const char* file : {"flat_intrinsic.json", "flat_intrinsic.obj", "tmesh.json", "tmesh.vtp", "singularities.txt",
-                           "report.json"})
+  for (const char* file : {"flat.obj", "flat.mtl", "flat.png", "flat_intrinsic.json", "tmesh.json", "tmesh.vtp",
+                           "singularities.txt", "report.json"})
     CHECK(fs::file_size(folder / "results" / file) > 0);
   CHECK_EQUAL(quartic("verify results").status, 0);
-  CHECK(quartic("run chain.off -o again -q").out.empty());
-  for (const char* file : {"flat_intrinsic.json", "flat_intrinsic.obj", "tmesh.json", "tmesh.vtp", "singularities.txt"})
+  CHECK(contains(contents(folder / "results" / "tmesh.json"), "\"surface\":\"input\""));
+  CHECK(!fs::exists(folder / "results" / "flat_intrinsic.obj"));
+  CHECK(quartic("run chain.off -o again -q --intrinsic").out.empty());
+  CHECK(fs::file_size(folder / "again" / "flat_intrinsic.obj") > 0);
+  for (const char* file : {"flat.obj", "flat_intrinsic.json", "tmesh.json", "tmesh.vtp", "singularities.txt"})
     CHECK(contents(folder / "results" / file) == contents(folder / "again" / file));   // deterministic
 
   const auto timeless_report = [](const char* run) {

@@ -93,7 +93,7 @@ Output output_of(const Quartic_differential& q)
   output.flat = json::parse(flat.str());
   if (!q.singularities.empty()) {
     Visitor visitor;
-    write_t_mesh_json(tmesh, t_mesh(q, visitor), q);
+    write_t_mesh_json(tmesh, t_mesh(q, visitor), q, "flat_intrinsic");
     output.tmesh = json::parse(tmesh.str());
   }
   output.report["input"]["genus"] = q.triangulation.genus();
@@ -288,7 +288,7 @@ void obj_is_exact()
 {
   const Quartic_differential q = embedded(immersed(square_tiled_surface(subdivided({4, 7, 6, 5, 0, 3, 2, 1}, 3))));
   const Intrinsic_triangulation& t = q.triangulation;
-  write_flat_intrinsic_obj(Output::folder(), q);
+  write_flat_obj(Output::folder(), "flat_intrinsic", q);
 
   std::ifstream in(Output::folder() + "/flat_intrinsic.obj");
   std::vector<std::string> u, v;

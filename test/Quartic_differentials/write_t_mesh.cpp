@@ -65,7 +65,7 @@ Point_3 point(const nlohmann::json& p) { return Point_3(p[0], p[1], p[2]); }
 void check_json(const T_mesh& t, const Quartic_differential& q)
 {
   std::ostringstream out;
-  write_t_mesh_json(out, t, q);
+  write_t_mesh_json(out, t, q, "flat_intrinsic");
   const nlohmann::json file = nlohmann::json::parse(out.str());
   CHECK_EQUAL(file["grid_exponent"].get<int>(), q.grid_exponent + 1);
   CHECK_EQUAL(file["surface"].get<std::string>(), "flat_intrinsic");

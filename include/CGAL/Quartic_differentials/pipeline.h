@@ -15,6 +15,7 @@
 #include <CGAL/Quartic_differentials/immersion.h>
 #include <CGAL/Quartic_differentials/legalize_divisor.h>
 #include <CGAL/Quartic_differentials/minimize_distortion.h>
+#include <CGAL/Quartic_differentials/refined_surface.h>
 #include <CGAL/Quartic_differentials/riemann_surface.h>
 #include <CGAL/Quartic_differentials/t_mesh.h>
 
@@ -55,10 +56,16 @@ struct Quartic_differential_result
   std::optional<Abel_jacobi_image>    image;          ///< step 4, of the legal divisor
   std::optional<Exact_cone_metric>    metric;         ///< step 6
   Divisor                             singularities;  ///< the final divisor, on the faces of the input
-  std::optional<Quartic_differential> differential;   ///< step 7
+  std::optional<Refined_cone_metric>  refined_metric; ///< the flat triangulation and the input
+  std::optional<Quartic_differential> differential;   ///< step 7, on the flat triangulation
+  std::optional<Refined_surface>      refined;        ///< the same on the input, subdivided; if that is embedded
   Immersion_report                    immersion;
   std::optional<T_mesh>               t_mesh;         ///< step 8
   std::vector<std::pair<std::string, double>> timings; ///< seconds by step, in the order they ended
+
+  /// the differential on which the T-mesh is traced: on the input where that is possible, otherwise on the flat
+  /// triangulation
+  const Quartic_differential& traced() const { return refined ? refined->differential : *differential; }
 };
 
 /// runs the eight steps from a surface to its T-mesh.

@@ -97,15 +97,15 @@ void write_flat_intrinsic_json(std::ostream& stream, const Quartic_differential&
   out.finish();
 }
 
-void write_flat_intrinsic_obj(const std::string& folder, const Quartic_differential& q)
+void write_flat_obj(const std::string& folder, const std::string& name, const Quartic_differential& q)
 {
   const Intrinsic_triangulation& t = q.triangulation;
   CGAL_precondition(t.is_embedded());
   const Texture_vertices texture = texture_vertices(q);
-  internal::write_file(folder + "/flat_intrinsic.obj", [&](std::ostream& stream) {
+  internal::write_file(folder + "/" + name + ".obj", [&](std::ostream& stream) {
     Text_writer out(stream);
     out << "# texture coordinates are charts of a quartic differential, exact multiples of 2^-" << q.grid_exponent
-        << "\nmtllib flat_intrinsic.mtl\nusemtl checkerboard\n";
+        << "\nmtllib " << name << ".mtl\nusemtl checkerboard\n";
     for (Vertex v : t.vertices()) {
       const Point_3& p = t.mesh().point(v);
       out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
@@ -121,7 +121,7 @@ void write_flat_intrinsic_obj(const std::string& folder, const Quartic_different
     }
     out.finish();
   });
-  write_checkerboard(folder, "flat_intrinsic", q);
+  write_checkerboard(folder, name, q);
 }
 
 } } // namespace CGAL::Quartic_differentials

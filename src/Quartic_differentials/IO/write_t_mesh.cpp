@@ -271,9 +271,9 @@ private:
 
 } // namespace
 
-void write_t_mesh_json(std::ostream& out, const T_mesh& t, const Quartic_differential& q)
+void write_t_mesh_json(std::ostream& out, const T_mesh& t, const Quartic_differential& q, const std::string& surface)
 {
-  out << "{\"grid_exponent\":" << t.grid_exponent << ",\n\"surface\":\"flat_intrinsic\",\n";
+  out << "{\"grid_exponent\":" << t.grid_exponent << ",\n\"surface\":\"" << surface << "\",\n";
   write_json_nodes(out, t, q);
   out << ",\n";
   write_json_arcs(out, t, q);

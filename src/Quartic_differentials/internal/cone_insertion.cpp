@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 namespace CGAL {
@@ -27,15 +26,8 @@ double angle_at_source(const Intrinsic_triangulation& t, Halfedge h)
   return std::atan2(four_times_area(out, in, across) / 2, (out * out + in * in - across * across) / 2);
 }
 
-// A piece of a face that was split by insertions, with the places of its corners in the frame of the whole face.
-struct Piece
-{
-  Face                   face;
-  std::array<Complex, 3> corner;
-};
-
 // The piece that holds z, with the barycentric coordinates of z in it.
-std::pair<std::size_t, std::array<double, 3>> piece_at(const std::vector<Piece>& pieces, Complex z)
+std::pair<std::size_t, std::array<double, 3>> piece_at(const std::vector<Face_piece>& pieces, Complex z)
 {
   std::size_t best = 0;
   std::array<double, 3> best_b{};
@@ -69,10 +61,37 @@ Vertex vertex_at(const Intrinsic_triangulation& t, const Surface_point& p)
   return Mesh::null_vertex();
 }
 
+Point_inserter::Point_inserter(const Intrinsic_triangulation& t) : m_t(t), m_split(t)
+{
+  m_original.assign(t.faces().begin(), t.faces().end());
+}
+
+Point_inserter::Inserted Point_inserter::insert(const Surface_point& p)
+{
+  const auto frame = m_t.unfolded(p.face);
+  std::vector<Face_piece>& pieces = m_pieces.try_emplace(p.face, 1, Face_piece{p.face, frame}).first->second;
+  const Complex z = point_in_frame(frame, p.barycentric);
+  const auto [k, b] = piece_at(pieces, z);
+  const Face_piece whole = pieces[k];
+  const auto insertion = m_split.insert({whole.face, b});
+  m_original.resize(m_split.number_of_faces(), p.face);
+  pieces.erase(pieces.begin() + k);
+  for (int c = 0; c < 3; ++c) {
+    // the face of the rim halfedge v_c v_(c+1); its corners are numbered from its own first halfedge
+    Face_piece piece{m_split.face(insertion.rim[c]), {}};
+    const int first = m_split.corner(insertion.rim[c]);
+    piece.corner[first] = whole.corner[c];
+    piece.corner[(first + 1) % 3] = whole.corner[(c + 1) % 3];
+    piece.corner[(first + 2) % 3] = z;
+    pieces.push_back(piece);
+  }
+  return {insertion, std::arg(whole.corner[0] - z)};
+}
+
 Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor)
 {
-  Inserted_cones result{t, cochains, {}, {}, {}};
-  std::map<Face, std::vector<Piece>> split;   // faces of t that hold cones
+  Inserted_cones result{{}, cochains, {}, {}, {}};
+  Point_inserter inserter(t);
   std::map<Vertex, std::size_t> taken;
   for (std::size_t i = 0; i < divisor.size(); ++i) {
     const Surface_point& p = divisor[i].location;
@@ -84,28 +103,13 @@ Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_coch
       result.frozen.push_back(true);
       continue;
     }
-    const auto frame = t.unfolded(p.face);
-    std::vector<Piece>& pieces = split.try_emplace(p.face, 1, Piece{p.face, frame}).first->second;
-    const Complex z = point_in_frame(frame, p.barycentric);
-    const auto [k, b] = piece_at(pieces, z);
-    const Piece whole = pieces[k];
-    const auto insertion = result.triangulation.insert({whole.face, b});
-    result.cochains.after_insertion(result.triangulation, insertion);
-    pieces.erase(pieces.begin() + k);
-    for (int c = 0; c < 3; ++c) {
-      // the face of the rim halfedge v_c v_(c+1); its corners are numbered from its own first halfedge
-      Piece piece{result.triangulation.face(insertion.rim[c]), {}};
-      const int first = result.triangulation.corner(insertion.rim[c]);
-      piece.corner[first] = whole.corner[c];
-      piece.corner[(first + 1) % 3] = whole.corner[(c + 1) % 3];
-      piece.corner[(first + 2) % 3] = z;
-      pieces.push_back(piece);
-    }
+    const auto [insertion, angle] = inserter.insert(p);
+    result.cochains.after_insertion(inserter.triangulation(), insertion);
     result.cones.push_back(insertion.vertex);
     result.frozen.push_back(divisor[i].pinned);
-    if (!divisor[i].pinned)
-      result.frames.add({insertion.vertex, insertion.spoke[0], std::arg(whole.corner[0] - z)});
+    if (!divisor[i].pinned) result.frames.add({insertion.vertex, insertion.spoke[0], angle});
   }
+  result.triangulation = inserter.triangulation();
   make_delaunay(result.triangulation, result.cochains, result.frames);
   return result;
 }

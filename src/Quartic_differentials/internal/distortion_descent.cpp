@@ -28,8 +28,6 @@ const int    line_search_steps = 6;
 const int    failures_allowed = 2;     // of the line search, each followed by a restart with steepest descent
 const int    retraction_steps = 12;
 
-double largest_force(const Eigen::VectorXd& g) { return longest_move(g); }
-
 // The inverse Hessian of the last steps (Nocedal and Wright, Numerical Optimization, algorithm 7.4). All vectors are in
 // transported frames, so that steps and gradients of different iterations can be multiplied.
 class Limited_memory_bfgs
@@ -67,7 +65,7 @@ private:
   std::deque<std::pair<Eigen::VectorXd, Eigen::VectorXd>> m_pairs;
 };
 
-// A divisor with its objective; the gradient is known once it has been asked for.
+// A divisor with its objective.
 struct State
 {
   Moving_divisor  divisor;
@@ -179,13 +177,13 @@ Descent descend(const Area_distortion& distortion, const Moving_divisor& start,
   std::vector<Distortion_step> history{state.step};
   Limited_memory_bfgs inverse_hessian(options.memory);
   Eigen::VectorXd g = problem.gradient(state);
-  for (int iteration = 0, failures = 0; iteration < options.iterations && largest_force(g) > 0; ++iteration) {
+  for (int iteration = 0, failures = 0; iteration < options.iterations && longest_move(g) > 0; ++iteration) {
     const double longest = options.longest_step * problem.size();
     Eigen::VectorXd direction;
     if (!inverse_hessian.empty()) direction = -problem.projected(state.divisor, inverse_hessian.times(g));
     if (inverse_hessian.empty() || !(direction.dot(g) < -1e-12 * direction.norm() * g.norm())) {
       inverse_hessian.clear();
-      direction = -g * (first_step * problem.size() / largest_force(g));
+      direction = -g * (first_step * problem.size() / longest_move(g));
     }
     if (const double l = longest_move(direction); l > longest) direction *= longest / l;
 
@@ -196,16 +194,13 @@ Descent descend(const Area_distortion& distortion, const Moving_divisor& start,
       continue;
     }
     const Eigen::VectorXd g_next = problem.gradient(*next);
-    const double t = longest_move(direction) > 0 ? next->step.length / longest_move(direction) : 0;
-    inverse_hessian.add(t * direction, g_next - g);
+    inverse_hessian.add(next->step.length / longest_move(direction) * direction, g_next - g);
     state = std::move(*next);
     g = g_next;
     history.push_back(state.step);
-    if (iteration % 10 == 9) {
-      std::ostringstream message;
-      message << "step " << history.size() - 1 << ": area distortion " << state.step.distortion;
-      visitor.progress(message.str());
-    }
+    std::ostringstream message;
+    message << "step " << history.size() - 1 << ": area distortion " << state.step.distortion;
+    visitor.progress(message.str());
     if (stagnates(history, options.enough)) break;
   }
   return {std::move(state.divisor), std::move(state.u), std::move(history)};

@@ -24,16 +24,16 @@ namespace Quartic_differentials {
 /// Complexity: linear. Source: METHOD, output files.
 void write_flat_intrinsic_json(std::ostream& out, const Quartic_differential& q);
 
-/// writes flat_intrinsic.obj, flat_intrinsic.mtl and a checkerboard, flat_intrinsic.png, into `folder`.
+/// writes `name`.obj, `name`.mtl and a checkerboard, `name`.png, into `folder`.
 ///
 /// Texture coordinates are the chart coordinates in units; each is a multiple of 2^-grid_exponent, printed so that it
 /// reads back to the identical double. A vertex has one texture coordinate for every sector between edges with a
-/// transition other than the identity. The faces are drawn straight between their corners in space: where the flat
-/// triangulation is not the input's, they do not lie on the input surface.
+/// transition other than the identity. The faces are drawn straight between their corners in space: those of a
+/// `Refined_surface` lie on the input surface; those of the flat triangulation do not where it is not the input's.
 /// \pre `q.triangulation` is embedded
 /// \throws Error if a file cannot be written
 /// Complexity: linear. Source: METHOD, output files.
-void write_flat_intrinsic_obj(const std::string& folder, const Quartic_differential& q);
+void write_flat_obj(const std::string& folder, const std::string& name, const Quartic_differential& q);
 
 } } // namespace CGAL::Quartic_differentials
 

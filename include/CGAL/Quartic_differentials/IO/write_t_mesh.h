@@ -8,20 +8,22 @@
 #include <CGAL/Quartic_differentials/t_mesh.h>
 
 #include <iosfwd>
+#include <string>
 
 namespace CGAL {
 namespace Quartic_differentials {
 
 /// writes `tmesh.json` (METHOD, output files): nodes, arcs and patches, lengths in integers, places in space as points and
-/// polylines on the straight triangles of the flat triangulation.
+/// polylines on the triangles of `q`.
 ///
+/// \param surface what the polylines lie on: `input` if `q` is on a refinement of the input, otherwise `flat_intrinsic`
 /// Every polyline begins and ends at the very doubles of its nodes' positions. All numbers read back as they were.
 /// If `q.triangulation` is not embedded there are no positions and no polylines.
 /// \pre `defect(t, q)` is empty
 /// Complexity: linear in the output.
-void write_t_mesh_json(std::ostream& out, const T_mesh& t, const Quartic_differential& q);
+void write_t_mesh_json(std::ostream& out, const T_mesh& t, const Quartic_differential& q, const std::string& surface);
 
-/// writes `tmesh.vtp`, the XML PolyData of VTK, for ParaView: the straight triangles of the flat triangulation cut
+/// writes `tmesh.vtp`, the XML PolyData of VTK, for ParaView: the triangles of `q` cut
 /// along the arcs as polygons, the arcs as lines.
 ///
 /// Cell data: `patch` (-1 on lines), `arc` (-1 on polygons), `colour`. Point data: `uv`, the place in the patch from

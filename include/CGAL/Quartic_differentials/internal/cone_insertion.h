@@ -11,6 +11,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <complex>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -36,6 +39,40 @@ public:
   void before_flip(const Intrinsic_triangulation& t, const Edge_flip& flip);
 private:
   std::vector<Cone_frame> m_frames;
+};
+
+/// A piece of a face that was split by insertions, with the places of its corners in the frame of the whole face.
+struct Face_piece
+{
+  Face                                face;
+  std::array<std::complex<double>, 3> corner;
+};
+
+/// Inserts points in the faces of a triangulation, also several in one face.
+class Point_inserter
+{
+public:
+  /// Keeps a reference to t.
+  explicit Point_inserter(const Intrinsic_triangulation& t);
+
+  struct Inserted
+  {
+    Intrinsic_triangulation::Insertion insertion;
+    double                             angle;   ///< the direction of spoke[0] in the frame of the face of t
+  };
+  /// \param p in a face of t
+  Inserted insert(const Surface_point& p);
+
+  /// t with the points
+  const Intrinsic_triangulation& triangulation() const { return m_split; }
+  /// by face of the triangulation: the face of t it is part of
+  const std::vector<Face>& original_faces() const { return m_original; }
+
+private:
+  const Intrinsic_triangulation&          m_t;
+  Intrinsic_triangulation                 m_split;
+  std::vector<Face>                       m_original;
+  std::map<Face, std::vector<Face_piece>> m_pieces;   // of the faces of t that were split
 };
 
 /// The triangulation with the cones of a divisor as vertices, intrinsic Delaunay again.

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_REFINED_SURFACE_H
+#define CGAL_QUARTIC_DIFFERENTIALS_REFINED_SURFACE_H
+
+#include <CGAL/Quartic_differentials/Common_refinement.h>
+#include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+#include <CGAL/Quartic_differentials/Quartic_differential.h>
+#include <CGAL/Quartic_differentials/cone_metric.h>
+#include <CGAL/Quartic_differentials/divisor.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+// Notation (METHOD, step 7, "Common refinement")
+//   A  the input with the cones inserted
+//   C  the flat triangulation, on the same vertices
+
+/// A flat metric on the flat triangulation C, with the common refinement of the input and C.
+struct Refined_cone_metric
+{
+  Intrinsic_triangulation triangulation;   ///< C, with unscaled lengths
+  std::vector<double>     lengths;         ///< by edge of C, in the flat metric
+  Common_refinement       refinement;      ///< of A and C
+  std::vector<Face>       input_face;      ///< by face of A: the face of the input it is part of
+  double                  max_curvature_error;   ///< radians
+};
+
+/// computes the flat triangulation of a cone metric anew, from the input with the cones inserted, with the common
+/// refinement riding along: intrinsic Delaunay flips first, then Ptolemy flips straight to the given scales.
+///
+/// C is the triangulation of `metric` but for ties and rounding; the flow's own detours leave no trace.
+/// \param input the surface of which `metric` is a conformal flat metric
+/// \param divisor its cones, on the faces of `input`
+/// Complexity: O(n log n), linear in the crossings.
+Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, const Divisor& divisor,
+                                        const Cone_metric& metric);
+
+/// The input surface, subdivided by the edges of the flat triangulation, as a quartic differential: its triangulation is
+/// embedded, its triangles lie in faces of the input and of C, and it is the differential of C on all of them.
+struct Refined_surface
+{
+  Quartic_differential       differential;
+  std::vector<Face>          input_face;     ///< by face: the face of the input in which it lies
+  std::size_t                flipped_triangles = 0;   ///< flipped or degenerate after rounding to the grid
+};
+
+/// subdivides the input along the edges of C.
+///
+/// A crossing of two edges lies on its A edge where straight lines of the flat metric cross (in the discrete conformal
+/// map, projective on every triangle), and on the grid point nearest to that place of the C edge, moved along it where
+/// points would come too near each other. On a seam one copy is computed, the other is its exact image. Cells are cut
+/// into triangles whose least altitude on the grid is largest.
+/// \param flat the quartic differential on `metric.triangulation`
+/// \param u log scales by vertex
+/// \pre the input is embedded
+/// Complexity: linear in vertices and crossings.
+/// Source: METHOD, step 7.
+Refined_surface refined_surface(const Refined_cone_metric& metric, const std::vector<double>& u,
+                                const Quartic_differential& flat);
+
+} } // namespace CGAL::Quartic_differentials
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_REFINED_SURFACE_H

@@ -1,0 +1,258 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/Refinement_cells.h>
+#include <CGAL/Quartic_differentials/delaunay_flips.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/cone_insertion.h>
+#include <CGAL/Quartic_differentials/refined_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+using Complex = std::complex<double>;
+const double inside = 1e-9;   // the least barycentric coordinate of a cone in its face of the input
+
+Surface_point moved_inside(Surface_point p)
+{
+  double sum = 0;
+  for (double& b : p.barycentric) sum += (b = std::max(b, inside));
+  for (double& b : p.barycentric) b /= sum;
+  return p;
+}
+
+// Numbers the vertices of the refinement: those of C, then the crossings edge by edge.
+class Refined_vertices
+{
+public:
+  Refined_vertices(const Intrinsic_triangulation& c, const Common_refinement& r) : m_c(c)
+  {
+    std::size_t next = c.number_of_vertices();
+    for (Edge e : c.edges()) {
+      m_first.push_back(next);
+      next += r.crossings(e).size();
+    }
+    m_size = next;
+  }
+  std::size_t size() const { return m_size; }
+  std::size_t operator()(const Cell_corner& k) const
+  { return k.crossing.is_none() ? m_c.source(k.c).idx() : (*this)(k.crossing); }
+  std::size_t operator()(Crossing_id x) const { return m_first[x.edge] + x.rank; }
+
+private:
+  const Intrinsic_triangulation& m_c;
+  std::vector<std::size_t>       m_first;
+  std::size_t                    m_size;
+};
+
+// The positions along a C edge of its crossings, between 0 and 1, moved apart to a least gap where they are nearer.
+std::vector<double> positions_along(const std::vector<Crossing>& crossings, double u_source, double u_target,
+                                    double least_gap)
+{
+  std::vector<double> t;
+  // in the flat metric, which is projective on the edge (METHOD, step 7); only the difference of the scales matters
+  const double scale = std::exp(u_source - u_target);
+  for (const Crossing& x : crossings) t.push_back(x.p[1] * scale / (x.p[0] + x.p[1] * scale));
+  const double n = static_cast<double>(t.size()), gap = std::min(least_gap, 0.5 / (n + 1));
+  for (std::size_t i = 0; i < t.size(); ++i)
+    t[i] = std::max(t[i], (i == 0 ? 0 : t[i - 1]) + gap);
+  for (std::size_t i = t.size(); i-- > 0;)
+    t[i] = std::min(t[i], (i + 1 == t.size() ? 1 : t[i + 1]) - gap);
+  return t;
+}
+
+Grid_vector on_segment(Grid_vector a, Grid_vector b, double t)
+{
+  return {a.x + std::llround(t * static_cast<double>(b.x - a.x)), a.y + std::llround(t * static_cast<double>(b.y - a.y))};
+}
+
+double length(Grid_vector v) { return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y)); }
+
+// The smallest altitude of a triangle on the grid, negative if it is turned over.
+double altitude(Grid_vector a, Grid_vector b, Grid_vector c)
+{
+  return static_cast<double>(doubled_area(a, b, c)) / std::max({length(b - a), length(c - b), length(a - c), 1.0});
+}
+
+// The grid points of the crossings, by edge of C, in the chart of the face of its first halfedge.
+std::vector<std::vector<Grid_vector>> crossing_points(const Refined_cone_metric& metric, const std::vector<double>& u,
+                                                      const Quartic_differential& flat)
+{
+  const Intrinsic_triangulation& c = metric.triangulation;
+  const double separation = 32;   // grid units, of the altitudes of the triangles between neighbouring points
+  std::vector<std::vector<Grid_vector>> points(c.number_of_edges());
+  for (Edge e : c.edges()) {
+    const std::vector<Crossing>& crossings = metric.refinement.crossings(e);
+    if (crossings.empty()) continue;
+    const Halfedge h = c.halfedge(e), o = c.opposite(h);
+    const auto apex_distance = [&](Halfedge k) {
+      return altitude(flat.corner[k], flat.corner[c.next(k)], flat.corner[c.prev(k)]);
+    };
+    const double least_gap = separation / std::max(std::min(apex_distance(h), apex_distance(o)), 1.0);
+    const Grid_vector begin = flat.corner[h], end = flat.corner[c.next(h)];
+    for (double t : positions_along(crossings, u[c.source(h)], u[c.target(h)], least_gap))
+      points[e].push_back(on_segment(begin, end, t));
+  }
+  return points;
+}
+
+// Cuts a polygon into triangles, from the corner pair that leaves the largest least altitude; polygons of cells have at
+// most six corners.
+class Polygon_cutter
+{
+public:
+  using Triangle = std::array<std::size_t, 3>;
+
+  explicit Polygon_cutter(const std::vector<Grid_vector>& corner) : m_corner(corner) {}
+
+  std::vector<Triangle> triangles() const
+  {
+    std::vector<std::size_t> left(m_corner.size());
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
+    std::vector<Triangle> result;
+    while (left.size() > 3) {
+      const std::size_t k = best_ear(left);
+      result.push_back({left[(k + left.size() - 1) % left.size()], left[k], left[(k + 1) % left.size()]});
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    result.push_back({left[0], left[1], left[2]});
+    return result;
+  }
+
+private:
+  double altitude_at(const std::vector<std::size_t>& left, std::size_t k) const
+  {
+    const std::size_t n = left.size();
+    return altitude(m_corner[left[(k + n - 1) % n]], m_corner[left[k]], m_corner[left[(k + 1) % n]]);
+  }
+  // the ear whose removal leaves the best worst ear, itself included
+  std::size_t best_ear(const std::vector<std::size_t>& left) const
+  {
+    std::size_t best = 0;
+    double best_value = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      std::vector<std::size_t> rest = left;
+      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
+      double value = altitude_at(left, k);
+      if (rest.size() == 3) value = std::min(value, altitude_at(rest, 0));
+      if (value > best_value) { best_value = value; best = k; }
+    }
+    return best;
+  }
+
+  const std::vector<Grid_vector>& m_corner;
+};
+
+// whether the side of a cell that starts on the C halfedge h runs along it to the next corner
+bool lies_along(const Intrinsic_triangulation& c, Halfedge h, const Cell_corner& next)
+{
+  return next.crossing.is_none() ? next.c == c.next(h) : next.c == h;
+}
+
+} // namespace
+
+Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, const Divisor& divisor,
+                                        const Cone_metric& metric)
+{
+  internal::Point_inserter inserter(input);
+  for (std::size_t i = 0; i < divisor.size(); ++i)
+    if (metric.cones[i].idx() >= input.number_of_vertices()) inserter.insert(moved_inside(divisor[i].location));
+  Intrinsic_triangulation a = inserter.triangulation();
+  if (input.is_embedded())
+    for (std::size_t v = input.number_of_vertices(); v < a.number_of_vertices(); ++v) {
+      const Vertex cone(static_cast<Mesh::size_type>(v));
+      a.set_point(cone, metric.triangulation.mesh().point(cone));
+    }
+  Refined_cone_metric r{a, {}, Common_refinement(a), inserter.original_faces(), 0};
+  make_delaunay(r.triangulation, r.refinement);
+  make_ideal_delaunay(r.triangulation, metric.u, r.refinement);
+  for (Edge e : r.triangulation.edges()) {
+    const Halfedge h = r.triangulation.halfedge(e);
+    r.lengths.push_back(r.triangulation.length(e) * std::exp(0.5 * (metric.u[r.triangulation.source(h)]
+                                                                   + metric.u[r.triangulation.target(h)])));
+  }
+  const std::vector<double> k = curvatures(r.triangulation, corner_angles(r.triangulation, r.lengths));
+  for (std::size_t v = 0; v < k.size(); ++v)
+    r.max_curvature_error = std::max(r.max_curvature_error, std::abs(k[v] + metric.order[v] * CGAL_PI / 2));
+  return r;
+}
+
+Refined_surface refined_surface(const Refined_cone_metric& metric, const std::vector<double>& u,
+                                const Quartic_differential& flat)
+{
+  const Intrinsic_triangulation &c = metric.triangulation, &a = metric.refinement.input();
+  const Common_refinement& refinement = metric.refinement;
+  const Refined_vertices vertex(c, refinement);
+  const std::vector<std::vector<Grid_vector>> points = crossing_points(metric, u, flat);
+  const auto grid_point = [&](const Cell_corner& k) {
+    if (k.crossing.is_none()) return flat.corner[k.c];
+    const Grid_vector z = points[k.crossing.edge][k.crossing.rank];
+    return is_first_of_its_edge(k.c) ? z : flat.transition[c.opposite(k.c)](z);
+  };
+
+  Mesh mesh;
+  for (Vertex v : a.vertices()) mesh.add_vertex(a.mesh().point(v));
+  for (Edge e : c.edges())
+    for (const Crossing& x : refinement.crossings(e)) {
+      const Halfedge h = first_halfedge(x.a);
+      const Point_3 &p = a.mesh().point(a.source(h)), &q = a.mesh().point(a.target(h));
+      mesh.add_vertex(p + x.position_on_a() * (q - p));
+    }
+
+  Refined_surface result;
+  const Refinement_cells cells(refinement, c);
+  std::vector<std::array<Grid_vector, 3>> corners;       // by face of the mesh
+  std::vector<std::array<Transition, 3>>  transitions;   // by face, of the edges from these corners
+  std::vector<Grid_vector> polygon;
+  for (const Refinement_cell& cell : cells.cells()) {
+    const Cell_corner* corner = cells.corners().data() + cell.first_corner;
+    const std::size_t n = cell.last_corner - cell.first_corner;
+    polygon.clear();
+    for (std::size_t i = 0; i < n; ++i) polygon.push_back(grid_point(corner[i]));
+    for (const auto& triangle : Polygon_cutter(polygon).triangles()) {
+      std::array<Vertex, 3> v;
+      corners.emplace_back();
+      transitions.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        const std::size_t i = triangle[k], j = triangle[(k + 1) % 3];
+        v[k] = Vertex(static_cast<Mesh::size_type>(vertex(corner[i])));
+        corners.back()[k] = polygon[i];
+        if (j == (i + 1) % n && lies_along(c, corner[i].c, corner[j])) transitions.back()[k] = flat.transition[corner[i].c];
+      }
+      const auto& z = corners.back();
+      result.flipped_triangles += doubled_area(z[0], z[1], z[2]) <= 0;
+      const Face f = mesh.add_face(v[0], v[1], v[2]);
+      if (f == Mesh::null_face()) throw Numerical_error("the refined surface is not a manifold");
+      mesh.set_halfedge(f, mesh.halfedge(v[0], v[1]));
+      result.input_face.push_back(metric.input_face[cell.a_face]);
+    }
+  }
+
+  Quartic_differential& q = result.differential;
+  q.triangulation = Intrinsic_triangulation(std::move(mesh));
+  q.grid_exponent = flat.grid_exponent;
+  q.surface_units_per_unit = flat.surface_units_per_unit;
+  q.singularities = flat.singularities;
+  q.order = flat.order;
+  q.order.resize(q.triangulation.number_of_vertices(), 0);
+  q.corner.resize(q.triangulation.number_of_halfedges());
+  q.transition.resize(q.triangulation.number_of_halfedges());
+  for (Face f : q.triangulation.faces()) {
+    const auto h = q.triangulation.halfedges(f);
+    for (int k = 0; k < 3; ++k) {
+      q.corner[h[k]] = corners[f.idx()][k];
+      q.transition[h[k]] = transitions[f.idx()][k];
+    }
+  }
+  return result;
+}
+
+} } // namespace CGAL::Quartic_differentials
