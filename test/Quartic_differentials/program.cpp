@@ -96,6 +96,9 @@ void check_run()
                            "singularities.txt", "report.json"})
     CHECK(fs::file_size(folder / "results" / file) > 0);
   CHECK_EQUAL(quartic("verify results").status, 0);
+  CHECK(contains(quartic("verify chain.off results").out, "lies on the input"));
+  check_failure("verify torus.ply results", 2, "failed");
+  check_failure("verify chain.off", 2, "no folder");
   CHECK(contains(contents(folder / "results" / "tmesh.json"), "\"surface\":\"input\""));
   CHECK(!fs::exists(folder / "results" / "flat_intrinsic.obj"));
   CHECK(quartic("run chain.off -o again -q --intrinsic").out.empty());

@@ -87,7 +87,7 @@ void test(const Wanted& w, const fs::path& folder)
             << report["max_holonomy_error_radians"] << ", " << report["timings"]["total"] << " s" << std::endl;
   check_report(report, w.newton_steps);
   check_choice(report, w);
-  CHECK(succeeds("'" + quartic + "' verify '" + results.string() + "'"));
+  CHECK(succeeds("'" + quartic + "' verify '" + input.string() + "' '" + results.string() + "'"));
   const std::string script = Quartic_test::environment("QUARTIC_VERIFY_OUTPUTS");
   if (script.empty()) return;
   const std::string check = "'" + script + "' '" + input.string() + "' '" + results.string() + "' --no-quads";

@@ -8,6 +8,8 @@
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
 #include <CGAL/Quartic_differentials/immersion.h>
+#include <CGAL/Quartic_differentials/pipeline.h>
+#include <CGAL/Quartic_differentials/sample_surfaces.h>
 #include <CGAL/Quartic_differentials/t_mesh.h>
 
 #include "check.h"
@@ -318,6 +320,66 @@ void obj_is_exact()
     CHECK(std::filesystem::file_size(Output::folder() + "/" + name) > 50);
 }
 
+// The results on a surface in space, spoilt one line of flat.obj at a time.
+void flat_obj_is_checked()
+{
+  const Intrinsic_triangulation input(handle_chain(2, 6));
+  Visitor visitor;
+  Quartic_differential_result result;
+  quartic_differential(input, std::nullopt, {}, visitor, result);
+  Output output = output_of(*result.differential);
+  std::ostringstream tmesh;
+  write_t_mesh_json(tmesh, *result.t_mesh, result.traced(), "input");
+  output.tmesh = json::parse(tmesh.str());
+  output.verified();
+  CHECK(fails_with(verify_outputs(Output::folder(), &input), "flat.obj: the file cannot be opened"));
+  write_flat_obj(Output::folder(), "flat", result.refined->differential);
+  CHECK(all_hold(verify_outputs(Output::folder(), &input)));
+  CHECK(all_hold(verify_outputs(Output::folder())));
+  const Intrinsic_triangulation other(handle_chain(2, 8));
+  CHECK(fails_with(verify_outputs(Output::folder(), &other), "vertices of the input are missing or have moved"));
+
+  std::vector<std::string> lines;
+  std::ifstream in(Output::folder() + "/flat.obj");
+  for (std::string line; std::getline(in, line); ) lines.push_back(line);
+  const auto last = [&](const std::string& key) {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (lines[i].compare(0, key.size(), key) == 0) found = i;
+    return found;
+  };
+  const auto spoilt = [&](std::size_t line, const std::string& text, const std::string& sentence) {
+    std::vector<std::string> bad = lines;
+    bad[line] = text;
+    std::string file;
+    for (const std::string& l : bad) file += l + '\n';
+    Output::write("flat.obj", file);
+    const auto checks = verify_outputs(Output::folder(), &input);
+    CHECK(fails_with(checks, sentence));
+    if (!fails_with(checks, sentence)) std::cerr << "instead of " << text << ": " << sentence << std::endl;
+  };
+  const std::size_t f = last("f "), v = last("v "), vt = last("vt "), first_v = 3;
+  CHECK(lines[first_v].compare(0, 2, "v ") == 0);
+  std::istringstream words(lines[f].substr(2));
+  std::string a, b, c;
+  words >> a >> b >> c;
+  spoilt(f, "", "flat.obj: every edge is shared by two triangles");
+  spoilt(f, "f " + b + ' ' + a + ' ' + c, "flat.obj: every edge is shared by two triangles");
+  spoilt(f, "f " + a + ' ' + b, "flat.obj: a face refers to what is not there");
+  spoilt(f, lines[f] + ' ' + a, "flat.obj: a face is not a triangle");
+  spoilt(f, "f 1 2 3", "flat.obj: a corner of a face has no texture vertex");
+  spoilt(f, "f 99999999/1 2/2 3/3", "flat.obj: a face refers to what is not there");
+  spoilt(vt, "vt 0.1 0.2", "flat.obj: a texture coordinate is not on the grid");
+  spoilt(vt, "vt nan 0", "flat.obj: a texture coordinate is not a finite number");
+  spoilt(vt, "vt 0.5 0.5", "are not an exact rotation");
+  spoilt(v, "v 100 0 0", "flat.obj: lies on the input");
+  spoilt(v, "v 100 zero 0", "flat.obj: a coordinate is not a finite number");
+  spoilt(first_v, "v 0 0 0", "1 of " + std::to_string(input.number_of_vertices()) + " vertices of the input");
+  Output::write("flat.obj", "");
+  CHECK(fails_with(verify_outputs(Output::folder(), &input), "flat.obj: there is no triangle"));
+  std::filesystem::remove(Output::folder() + "/flat.obj");
+}
+
 } // namespace
 
 int main()
@@ -328,6 +390,7 @@ int main()
   malformed_files_fail();
   random_bytes_do_no_harm();
   obj_is_exact();
+  flat_obj_is_checked();
   std::filesystem::remove_all(Output::folder());
   return Quartic_test::result();
 }

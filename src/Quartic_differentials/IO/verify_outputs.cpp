@@ -4,6 +4,10 @@
 
 #include <CGAL/Quartic_differentials/IO/verify_outputs.h>
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+
 #include <boost/multiprecision/cpp_int.hpp>
 #include <nlohmann/json.hpp>
 
@@ -12,11 +16,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 namespace CGAL {
@@ -86,6 +94,14 @@ Position position(const Json& value, const std::string& what)
     p[k] = x.get<double>();
   }
   return p;
+}
+
+std::string scientific(double x)
+{
+  std::ostringstream out;
+  out.precision(2);
+  out << std::scientific << x;
+  return out.str();
 }
 
 const std::int64_t most_items = std::numeric_limits<std::int32_t>::max();
@@ -265,7 +281,7 @@ struct Flat_facts
   std::vector<std::int64_t> orders;         // sorted, without 0
 };
 
-Flat_facts verify_flat(const Flat& flat, const Report& report, Checks& checks)
+Flat_facts verify_flat(const std::string& name, const Flat& flat, const Report& report, Checks& checks)
 {
   const std::size_t n = flat.triangles.size();
   Flat_facts facts;
@@ -278,31 +294,167 @@ Flat_facts verify_flat(const Flat& flat, const Report& report, Checks& checks)
     if (area <= 0) ++flips;
   }
   const bool glued = is_gluing(flat);
-  checks.push_back({glued, "flat_intrinsic: gluing is an orientation-reversing involution that respects the vertices"});
-  checks.push_back({is_connected(flat), "flat_intrinsic: one component"});
+  checks.push_back({glued, name + ": gluing is an orientation-reversing involution that respects the vertices"});
+  checks.push_back({is_connected(flat), name + ": one component"});
   const std::int64_t vertices = number_of_vertices(flat);
   const std::int64_t chi = vertices - static_cast<std::int64_t>(n / 2);
-  checks.push_back({chi == 2 - 2 * report.genus, "flat_intrinsic: Euler characteristic " + std::to_string(chi) + " = 2-2g"});
-  checks.push_back({flips == 0, "flat_intrinsic: " + std::to_string(flips) + " of " + std::to_string(n)
+  checks.push_back({chi == 2 - 2 * report.genus, name + ": Euler characteristic " + std::to_string(chi) + " = 2-2g"});
+  checks.push_back({flips == 0, name + ": " + std::to_string(flips) + " of " + std::to_string(n)
                               + " triangles flipped or degenerate (exact)"});
   const std::size_t inexact = inexact_transitions(flat);
-  checks.push_back({inexact == 0, "flat_intrinsic: " + std::to_string(inexact / 2)
+  checks.push_back({inexact == 0, name + ": " + std::to_string(inexact / 2)
                                 + " edges are not an exact rotation by k*90 deg"});
   if (!glued) return facts;
 
   const std::vector<std::int64_t> angles = cone_angles(flat);
   checks.push_back({static_cast<std::int64_t>(angles.size()) == vertices,
-                    "flat_intrinsic: the triangles round every vertex form one circle"});
+                    name + ": the triangles round every vertex form one circle"});
   std::int64_t degree = 0;
   for (std::int64_t quarters : angles) {
     if (quarters != 4) facts.orders.push_back(quarters - 4);
     degree += quarters - 4;
   }
   std::sort(facts.orders.begin(), facts.orders.end());
-  checks.push_back({degree == 8 * report.genus - 8, "cones: " + std::to_string(facts.orders.size())
+  checks.push_back({degree == 8 * report.genus - 8, name + ", cones: " + std::to_string(facts.orders.size())
                                                   + " singularities, degree " + std::to_string(degree) + " = 8g-8"});
-  checks.push_back({facts.orders == report.orders, "cones: orders match the report"});
+  checks.push_back({facts.orders == report.orders, name + ", cones: orders match the report"});
   return facts;
+}
+
+// ---- flat.obj
+
+// The triangles of flat.obj, and its points in space.
+struct Flat_obj
+{
+  Flat                  flat;
+  std::vector<Position> points;
+};
+
+double number(const char*& text, const std::string& what)
+{
+  char* end = nullptr;
+  const double x = std::strtod(text, &end);
+  if (end == text || !std::isfinite(x)) throw Malformed(what + " is not a finite number");
+  text = end;
+  return x;
+}
+
+// a texture coordinate, in units of 2^-exponent
+std::int64_t grid_coordinate(double x, int exponent)
+{
+  const double scaled = std::ldexp(x, exponent);
+  if (!(std::abs(scaled) <= std::ldexp(1.0, 60)) || scaled != std::floor(scaled))
+    throw Malformed("a texture coordinate is not on the grid of 2^-" + std::to_string(exponent));
+  return static_cast<std::int64_t>(scaled);
+}
+
+std::size_t index(const char*& text, std::size_t size)
+{
+  char* end = nullptr;
+  const unsigned long long i = std::strtoull(text, &end, 10);
+  if (end == text || i < 1 || i > size) throw Malformed("a face refers to what is not there");
+  text = end;
+  return static_cast<std::size_t>(i - 1);
+}
+
+// Glues triangles that share two vertices in opposite directions; returns whether every edge found exactly one partner.
+bool glue(std::vector<Flat_triangle>& triangles)
+{
+  std::vector<std::tuple<std::int64_t, std::int64_t, std::int64_t, int>> edges;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      edges.emplace_back(triangles[t].vertex[k], triangles[t].vertex[(k + 1) % 3], static_cast<std::int64_t>(t), k);
+  std::sort(edges.begin(), edges.end());
+  for (const auto& [from, to, t, k] : edges) {
+    const auto partner = std::lower_bound(edges.begin(), edges.end(), std::make_tuple(to, from, std::int64_t(-1), -1));
+    if (partner == edges.end() || std::get<0>(*partner) != to || std::get<1>(*partner) != from) return false;
+    const auto second = std::next(partner);
+    if (second != edges.end() && std::get<0>(*second) == to && std::get<1>(*second) == from) return false;
+    triangles[t].opposite[k] = {std::get<2>(*partner), std::get<3>(*partner)};
+  }
+  return true;
+}
+
+Flat_obj read_flat_obj(const std::string& folder, int grid_exponent)
+{
+  std::ifstream in(folder + "/flat.obj");
+  if (!in) throw Malformed("the file cannot be opened");
+  Flat_obj obj;
+  obj.flat.grid_exponent = grid_exponent;
+  obj.flat.is_embedded = true;
+  std::vector<Point> texture;
+  for (std::string line; std::getline(in, line); ) {
+    const char* text = line.c_str() + std::min<std::size_t>(2, line.size());
+    if (line.compare(0, 2, "v ") == 0) {
+      Position p;
+      for (double& x : p) x = number(text, "a coordinate");
+      obj.points.push_back(p);
+    } else if (line.compare(0, 3, "vt ") == 0) {
+      Point z{};
+      for (std::int64_t* x : {&z.x, &z.y}) *x = grid_coordinate(number(++text, "a texture coordinate"), grid_exponent);
+      texture.push_back(z);
+    } else if (line.compare(0, 2, "f ") == 0) {
+      Flat_triangle f{};
+      for (int k = 0; k < 3; ++k) {
+        f.vertex[k] = static_cast<std::int64_t>(index(text, obj.points.size()));
+        if (*text != '/') throw Malformed("a corner of a face has no texture vertex");
+        f.point[k] = texture[index(++text, texture.size())];
+      }
+      if (std::strspn(text, " \r") != std::strlen(text)) throw Malformed("a face is not a triangle");
+      obj.flat.triangles.push_back(f);
+    }
+  }
+  if (obj.flat.triangles.empty()) throw Malformed("there is no triangle");
+  return obj;
+}
+
+using Surface_tree = CGAL::AABB_tree<CGAL::AABB_traits<CGAL::Simple_cartesian<double>,
+                                                       CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
+
+Point_3 point_3(const Position& p) { return {p[0], p[1], p[2]}; }
+
+// The triangles lie on the input and cover it.
+void verify_on_input(const Flat_obj& obj, const Mesh& input, Checks& checks)
+{
+  std::size_t moved = 0;
+  const std::size_t n = std::min<std::size_t>(obj.points.size(), input.number_of_vertices());
+  for (std::size_t v = 0; v < n; ++v)
+    if (input.point(Vertex(static_cast<Mesh::size_type>(v))) != point_3(obj.points[v])) ++moved;
+  moved += input.number_of_vertices() - n;
+  checks.push_back({moved == 0, "flat.obj: " + std::to_string(moved) + " of " + std::to_string(input.number_of_vertices())
+                              + " vertices of the input are missing or have moved (exact)"});
+
+  const Surface_tree tree(input.faces().begin(), input.faces().end(), input);
+  const CGAL::Bbox_3 box = tree.bbox();
+  const double size = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  double farthest = 0, area = 0, input_area = 0;
+  const auto look = [&](const Point_3& p) { farthest = std::max(farthest, std::sqrt(tree.squared_distance(p))); };
+  for (std::size_t v = n; v < obj.points.size(); ++v) look(point_3(obj.points[v]));
+  for (const Flat_triangle& f : obj.flat.triangles) {
+    const Point_3 a = point_3(obj.points[f.vertex[0]]), b = point_3(obj.points[f.vertex[1]]),
+                  c = point_3(obj.points[f.vertex[2]]);
+    look(CGAL::centroid(a, b, c));
+    area += std::sqrt(CGAL::squared_area(a, b, c));
+  }
+  for (Face f : input.faces()) {
+    const Halfedge h = input.halfedge(f);
+    input_area += std::sqrt(CGAL::squared_area(input.point(input.source(h)), input.point(input.target(h)),
+                                               input.point(input.target(input.next(h)))));
+  }
+  checks.push_back({farthest <= 1e-12 * size, "flat.obj: lies on the input, within " + scientific(farthest / size)
+                                            + " of its diagonal"});
+  checks.push_back({std::abs(area - input_area) <= 1e-9 * input_area, "flat.obj: covers the input's area up to "
+                                                                    + scientific(std::abs(area - input_area) / input_area)});
+}
+
+void verify_flat_obj(Flat_obj obj, const Flat_facts& flat, const Report& report, const Mesh* input, Checks& checks)
+{
+  const bool glued = glue(obj.flat.triangles);
+  checks.push_back({glued, "flat.obj: every edge is shared by two triangles, in opposite directions"});
+  if (!glued) return;
+  const Flat_facts facts = verify_flat("flat.obj", obj.flat, report, checks);
+  checks.push_back({facts.doubled_area == flat.doubled_area, "flat.obj: exactly the area of the flat triangulation"});
+  if (input != nullptr) verify_on_input(obj, *input, checks);
 }
 
 // ---- tmesh.json
@@ -513,7 +665,7 @@ void verify_tmesh(Tmesh t, const Flat_facts& flat, const Report& report, Checks&
 
 } // namespace
 
-std::vector<Verification> verify_outputs(const std::string& folder)
+std::vector<Verification> verify_outputs(const std::string& folder, const Intrinsic_triangulation* input)
 {
   Checks checks;
   std::string file;
@@ -521,7 +673,12 @@ std::vector<Verification> verify_outputs(const std::string& folder)
     file = "report.json";
     const Report report = read_report(folder);
     file = "flat_intrinsic.json";
-    const Flat_facts facts = verify_flat(read_flat(folder), report, checks);
+    const Flat_facts facts = verify_flat("flat_intrinsic", read_flat(folder), report, checks);
+    file = "flat.obj";
+    const bool on_input = input != nullptr && input->is_embedded();
+    if (on_input || (facts.is_embedded && std::ifstream(folder + "/" + file)))
+      verify_flat_obj(read_flat_obj(folder, facts.grid_exponent), facts, report, on_input ? &input->mesh() : nullptr,
+                      checks);
     file = "tmesh.json";
     if (report.orders.empty() && !std::ifstream(folder + "/" + file))
       checks.push_back({true, "tmesh: none, there is no singularity"});

@@ -5,6 +5,8 @@
 #ifndef CGAL_QUARTIC_DIFFERENTIALS_IO_VERIFY_OUTPUTS_H
 #define CGAL_QUARTIC_DIFFERENTIALS_IO_VERIFY_OUTPUTS_H
 
+#include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+
 #include <string>
 #include <vector>
 
@@ -18,19 +20,21 @@ struct Verification
   std::string what;
 };
 
-/// checks the files flat_intrinsic.json, tmesh.json and report.json of an output folder against each other, in exact
-/// integer arithmetic and without any code of the steps that made them:
+/// checks the files flat_intrinsic.json, flat.obj, tmesh.json and report.json of an output folder against each other and
+/// against the input, in exact integer arithmetic and without any code of the steps that made them:
 /// - the flat triangulation is a closed connected oriented surface of the genus in the report, every triangle is
 ///   positively oriented, charts differ across every edge by exactly a rotation by k*90 degrees and a translation, the
 ///   cone angles are those of the singularities in the report, and their degree is 8g - 8;
+/// - the same holds for the triangles of flat.obj, if it is there, and it has exactly the same area; with the input given,
+///   it must be there, have the input's vertices bit by bit, lie on it to 1e-12 of its diagonal and cover its area;
 /// - the patches of the T-mesh are exact rectangles that use every arc once in each direction, have the right Euler
 ///   characteristic and exactly the area of the flat triangulation, and every node has the arms and patch corners of its
 ///   kind. Where there is no singularity tmesh.json may be missing.
 ///
 /// A file that is missing, cut off or not of the right form is a check that failed, never an exception or a crash.
-/// Not checked: that the files belong to a given input mesh.
+/// \param input null: what the files say of the input is taken for granted
 /// Complexity: O(n log n) in the size of the files.
-std::vector<Verification> verify_outputs(const std::string& folder);
+std::vector<Verification> verify_outputs(const std::string& folder, const Intrinsic_triangulation* input = nullptr);
 
 } } // namespace CGAL::Quartic_differentials
 
