@@ -149,7 +149,7 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
   }
   if (input.is_embedded()) {
     const Timed_step step(visitor, "refinement");
-    result.refined = refined_surface(r, m.u, *result.differential);
+    result.refined = refined_surface(input, r, m.u, *result.differential);
     require_valid(*result.refined);
   }
   if (!result.singularities.empty()) {

@@ -6,6 +6,7 @@
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/cone_insertion.h>
+#include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/refined_surface.h>
 
 #include <algorithm>
@@ -21,12 +22,46 @@ namespace {
 using Complex = std::complex<double>;
 const double inside = 1e-9;   // the least barycentric coordinate of a cone in its face of the input
 
-Surface_point moved_inside(Surface_point p)
+Surface_point moved_inside(Surface_point p, double least)
 {
   double sum = 0;
-  for (double& b : p.barycentric) sum += (b = std::max(b, inside));
+  for (double& b : p.barycentric) sum += (b = std::max(b, least));
   for (double& b : p.barycentric) b /= sum;
   return p;
+}
+
+Complex in_units(Grid_vector z, int grid_exponent)
+{
+  return {std::ldexp(static_cast<double>(z.x), -grid_exponent), std::ldexp(static_cast<double>(z.y), -grid_exponent)};
+}
+
+// barycentric coordinates as a point of the plane in which the triangle is 0, 1, i
+Complex affine(const std::array<double, 3>& b) { return {b[1], b[2]}; }
+
+// the barycentric coordinates of a point in the plane of a triangle in space
+std::array<double, 3> barycentric_in_space(const Point_3& p, const Point_3& a, const Point_3& b, const Point_3& c)
+{
+  const auto n = CGAL::cross_product(b - a, c - a);
+  const double area = n.squared_length();
+  const double b1 = CGAL::cross_product(p - a, c - a) * n / area, b2 = CGAL::cross_product(b - a, p - a) * n / area;
+  return {1 - b1 - b2, b1, b2};
+}
+
+// Fills in where the corners are on the input.
+void place_on_input(const Intrinsic_triangulation& input, Refined_surface& r)
+{
+  const Intrinsic_triangulation& t = r.differential.triangulation;
+  r.input_corner.resize(t.number_of_halfedges());
+  r.faces_in.resize(input.number_of_faces());
+  for (Face f : t.faces()) {
+    r.faces_in[r.input_face[f]].push_back(f);
+    const auto k = input.halfedges(r.input_face[f]);
+    const auto corner = [&](int c) { return input.mesh().point(input.source(k[c])); };
+    for (Halfedge h : t.halfedges(f)) {
+      Surface_point p{r.input_face[f], barycentric_in_space(t.mesh().point(t.source(h)), corner(0), corner(1), corner(2))};
+      r.input_corner[h] = moved_inside(p, 0).barycentric;
+    }
+  }
 }
 
 // Numbers the vertices of the refinement: those of C, then the crossings edge by edge.
@@ -164,7 +199,7 @@ Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, co
 {
   internal::Point_inserter inserter(input);
   for (std::size_t i = 0; i < divisor.size(); ++i)
-    if (metric.cones[i].idx() >= input.number_of_vertices()) inserter.insert(moved_inside(divisor[i].location));
+    if (metric.cones[i].idx() >= input.number_of_vertices()) inserter.insert(moved_inside(divisor[i].location, inside));
   Intrinsic_triangulation a = inserter.triangulation();
   if (input.is_embedded())
     for (std::size_t v = input.number_of_vertices(); v < a.number_of_vertices(); ++v) {
@@ -185,8 +220,8 @@ Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, co
   return r;
 }
 
-Refined_surface refined_surface(const Refined_cone_metric& metric, const std::vector<double>& u,
-                                const Quartic_differential& flat)
+Refined_surface refined_surface(const Intrinsic_triangulation& input, const Refined_cone_metric& metric,
+                                const std::vector<double>& u, const Quartic_differential& flat)
 {
   const Intrinsic_triangulation &c = metric.triangulation, &a = metric.refinement.input();
   const Common_refinement& refinement = metric.refinement;
@@ -252,7 +287,61 @@ Refined_surface refined_surface(const Refined_cone_metric& metric, const std::ve
       q.transition[h[k]] = transitions[f.idx()][k];
     }
   }
+  place_on_input(input, result);
   return result;
+}
+
+Surface_point Refined_surface::from_input(const Surface_point& p) const
+{
+  Surface_point best;
+  double best_depth = -std::numeric_limits<double>::infinity();
+  for (Face f : faces_in[p.face]) {
+    std::array<Complex, 3> corner;
+    const auto h = differential.triangulation.halfedges(f);
+    for (int k = 0; k < 3; ++k) corner[k] = affine(input_corner[h[k]]);
+    const std::array<double, 3> b = internal::barycentric(corner, affine(p.barycentric));
+    const double depth = *std::min_element(b.begin(), b.end());
+    if (depth <= best_depth) continue;
+    best_depth = depth;
+    best = {f, b};
+  }
+  return moved_inside(best, 0);
+}
+
+Surface_point Refined_surface::to_input(const Surface_point& p) const
+{
+  Surface_point q{input_face[p.face], {0, 0, 0}};
+  const auto h = differential.triangulation.halfedges(p.face);
+  for (int k = 0; k < 3; ++k)
+    for (int c = 0; c < 3; ++c) q.barycentric[c] += p.barycentric[k] * input_corner[h[k]][c];
+  return q;
+}
+
+Surface_point Refined_surface::from_chart(Face f, Complex z) const
+{
+  std::array<Complex, 3> corner;
+  const auto h = differential.triangulation.halfedges(f);
+  for (int k = 0; k < 3; ++k) corner[k] = in_units(differential.corner[h[k]], differential.grid_exponent);
+  return moved_inside({f, internal::barycentric(corner, z)}, 0);
+}
+
+Mesh mesh_with_property_maps(const Refined_surface& refined)
+{
+  using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
+  const Quartic_differential& q = refined.differential;
+  Mesh mesh = q.triangulation.mesh();
+  auto texture = mesh.add_property_map<Halfedge, Point_2>("h:texture").first;
+  auto face = mesh.add_property_map<Face, Face>("f:input_face").first;
+  auto place = mesh.add_property_map<Vertex, Surface_point>("v:input_point").first;
+  auto order = mesh.add_property_map<Vertex, int>("v:singularity_order", 0).first;
+  for (Halfedge h : mesh.halfedges()) {
+    const Complex z = in_units(q.corner[mesh.next(h)], q.grid_exponent);
+    texture[h] = Point_2(z.real(), z.imag());
+    place[mesh.source(h)] = {refined.input_face[mesh.face(h)], refined.input_corner[h]};
+  }
+  for (Face f : mesh.faces()) face[f] = refined.input_face[f];
+  for (Vertex v : mesh.vertices()) order[v] = q.order[v];
+  return mesh;
 }
 
 } } // namespace CGAL::Quartic_differentials

@@ -8,7 +8,6 @@
 #include "named_surfaces.h"
 
 #include <CGAL/Quartic_differentials/Common_refinement.h>
-#include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -17,6 +16,9 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <random>
+#include <set>
+#include <utility>
 
 using namespace CGAL::Quartic_differentials;
 
@@ -60,6 +62,43 @@ void check_on_input(const Intrinsic_triangulation& input, const Refined_surface&
   for (Vertex v : input.vertices()) CHECK(t.mesh().point(v) == input.mesh().point(v));
 }
 
+// Points of the input go to the subdivision and to the plane, and come back; on a common edge two faces agree.
+void check_point_maps(const Intrinsic_triangulation& input, const Refined_surface& r)
+{
+  std::mt19937 random(3);
+  const double size = std::sqrt(input.area());
+  double worst = 0;
+  const auto distance = [&](const Surface_point& p, const Surface_point& q) {
+    return std::sqrt(CGAL::squared_distance(position_on_input(input, p), position_on_input(input, q))) / size;
+  };
+  for (int trial = 0; trial < 500; ++trial) {
+    const double a = Quartic_test::uniform(random, 0, 1), b = Quartic_test::uniform(random, 0, 1 - a);
+    const Surface_point p{Face(static_cast<Mesh::size_type>(random() % input.number_of_faces())), {a, b, 1 - a - b}};
+    const Surface_point q = r.from_input(p);
+    CHECK(r.input_face[q.face] == p.face);
+    worst = std::max({worst, distance(p, r.to_input(q)), distance(p, r.to_input(r.from_chart(q.face, r.differential.chart(q))))});
+  }
+  CHECK(worst < 1e-9);
+
+  Mesh mesh = mesh_with_property_maps(r);   // add_property_map() finds what is there; CGAL 5 and 6 agree on its result
+  const auto place = mesh.add_property_map<Vertex, Surface_point>("v:input_point").first;
+  const auto texture = mesh.add_property_map<Halfedge, CGAL::Simple_cartesian<double>::Point_2>("h:texture").first;
+  const auto order = mesh.add_property_map<Vertex, int>("v:singularity_order").first;
+  const auto face = mesh.add_property_map<Face, Face>("f:input_face").first;
+  int degree = 0;
+  for (Vertex v : mesh.vertices()) {
+    degree += order[v];
+    CHECK_NEAR(std::sqrt(CGAL::squared_distance(position_on_input(input, place[v]), mesh.point(v))) / size, 0, 1e-9);
+  }
+  CHECK_EQUAL(degree, 8 * input.genus() - 8);
+  for (Face f : mesh.faces()) CHECK(face[f] == r.input_face[f]);
+  const double unit = std::ldexp(1.0, r.differential.grid_exponent);
+  for (Halfedge h : mesh.halfedges()) {
+    const Grid_vector z = r.differential.corner[mesh.next(h)];
+    CHECK(texture[h].x() * unit == static_cast<double>(z.x) && texture[h].y() * unit == static_cast<double>(z.y));
+  }
+}
+
 std::multiset<std::pair<std::int64_t, std::int64_t>> rectangles(const T_mesh& t)
 {
   std::multiset<std::pair<std::int64_t, std::int64_t>> sizes;
@@ -89,6 +128,7 @@ void test(const Quartic_test::Named_surface& named, double most_faces)
   CHECK_EQUAL(t.genus(), input.genus());
   CHECK(static_cast<double>(t.number_of_faces()) <= most_faces * static_cast<double>(input.number_of_faces()));
   check_on_input(input, refined);
+  check_point_maps(input, refined);
 
   Visitor visitor;
   const T_mesh flat = t_mesh(*result.differential, visitor);

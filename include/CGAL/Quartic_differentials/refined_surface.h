@@ -11,6 +11,8 @@
 #include <CGAL/Quartic_differentials/cone_metric.h>
 #include <CGAL/Quartic_differentials/divisor.h>
 
+#include <array>
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -43,12 +45,34 @@ Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, co
 
 /// The input surface, subdivided by the edges of the flat triangulation, as a quartic differential: its triangulation is
 /// embedded, its triangles lie in faces of the input and of C, and it is the differential of C on all of them.
+///
+/// Its vertices are the input's, then the cones inserted in faces, then the crossings of edges. Points of the input go to
+/// the plane by `differential.chart(from_input(p))`, and back by `to_input(from_chart(f, z))`.
 struct Refined_surface
 {
-  Quartic_differential       differential;
-  std::vector<Face>          input_face;     ///< by face: the face of the input in which it lies
-  std::size_t                flipped_triangles = 0;   ///< flipped or degenerate after rounding to the grid
+  Quartic_differential differential;
+  std::vector<Face>    input_face;     ///< by face: the face of the input in which it lies
+  std::vector<std::array<double, 3>> input_corner;   ///< by halfedge: source(h) in barycentric coordinates of
+                                                     ///< input_face[face(h)]
+  std::vector<std::vector<Face>> faces_in;           ///< by face of the input: the faces that fill it
+  std::size_t          flipped_triangles = 0;        ///< flipped or degenerate after rounding to the grid
+
+  /// the point of the subdivision at a point of the input. Complexity: linear in the faces in the point's face.
+  Surface_point from_input(const Surface_point& p) const;
+  /// the point of the input at a point of the subdivision
+  Surface_point to_input(const Surface_point& p) const;
+  /// the point of a face at a place in its chart, in units. \pre z lies in the face, up to rounding
+  Surface_point from_chart(Face f, std::complex<double> z) const;
 };
+
+/// the subdivided input as a `Surface_mesh` for applications, with the property maps
+/// - `h:texture`, `Point_2` of `Simple_cartesian<double>`: target(h) in the chart of face(h), exact multiples of
+///   2^-grid_exponent;
+/// - `f:input_face`, `Face`: the index of the face of the input in which it lies;
+/// - `v:input_point`, `Surface_point`: where it is on the input;
+/// - `v:singularity_order`, `int`: order of the zero, minus that of the pole, 0 where regular.
+/// Complexity: linear.
+Mesh mesh_with_property_maps(const Refined_surface& refined);
 
 /// subdivides the input along the edges of C.
 ///
@@ -56,13 +80,13 @@ struct Refined_surface
 /// map, projective on every triangle), and on the grid point nearest to that place of the C edge, moved along it where
 /// points would come too near each other. On a seam one copy is computed, the other is its exact image. Cells are cut
 /// into triangles whose least altitude on the grid is largest.
+/// \param input embedded
 /// \param flat the quartic differential on `metric.triangulation`
 /// \param u log scales by vertex
-/// \pre the input is embedded
 /// Complexity: linear in vertices and crossings.
 /// Source: METHOD, step 7.
-Refined_surface refined_surface(const Refined_cone_metric& metric, const std::vector<double>& u,
-                                const Quartic_differential& flat);
+Refined_surface refined_surface(const Intrinsic_triangulation& input, const Refined_cone_metric& metric,
+                                const std::vector<double>& u, const Quartic_differential& flat);
 
 } } // namespace CGAL::Quartic_differentials
 
