@@ -281,7 +281,8 @@ Json run_report(const Run_facts& facts, const Quartic_differential_result& r)
     report["refinement"] = {{"vertices", t.number_of_vertices()}, {"faces", t.number_of_faces()},
                             {"faces_by_input_face", static_cast<double>(t.number_of_faces())
                                                     / static_cast<double>(facts.input->number_of_faces())},
-                            {"flips", r.refined->flipped_triangles}};
+                            {"flips", r.refined->flipped_triangles},
+                            {"max_curvature_error", r.refined_metric->max_curvature_error}};
   }
   if (r.t_mesh) report["tmesh"] = t_mesh_report(*r.t_mesh);
 

@@ -39,7 +39,8 @@ double distance_from_triangle_plane(const Point_3& p, const Point_3& a, const Po
 }
 
 // Every triangle lies in the face of the input it is said to lie in, and the triangles of a face fill its area.
-void check_on_input(const Intrinsic_triangulation& input, const Refined_surface& r)
+// \param from_plane times sqrt(area); the planes of needles are uncertain themselves
+void check_on_input(const Intrinsic_triangulation& input, const Refined_surface& r, double from_plane)
 {
   const Intrinsic_triangulation& t = r.differential.triangulation;
   const double size = std::sqrt(input.area());
@@ -53,11 +54,11 @@ void check_on_input(const Intrinsic_triangulation& input, const Refined_surface&
         t.mesh().point(t.source(g)), input.mesh().point(input.source(k[0])), input.mesh().point(input.source(k[1])),
         input.mesh().point(input.source(k[2]))));
   }
-  CHECK(farthest < 1e-12 * size);
+  CHECK(farthest < from_plane * size);
   for (Face f : input.faces()) {
     const auto h = input.halfedges(f);
     const double whole = four_times_area(input.length(h[0]), input.length(h[1]), input.length(h[2])) / 4;
-    CHECK_NEAR(area[f], whole, 1e-9 * whole + 1e-14 * size * size);
+    CHECK_NEAR(area[f], whole, 1e-9 * whole + 1e-12 * size * size);
   }
   for (Vertex v : input.vertices()) CHECK(t.mesh().point(v) == input.mesh().point(v));
 }
@@ -106,13 +107,13 @@ std::multiset<std::pair<std::int64_t, std::int64_t>> rectangles(const T_mesh& t)
   return sizes;
 }
 
-void test(const Quartic_test::Named_surface& named, double most_faces)
+void test(const Quartic_test::Named_surface& named, double most_faces, bool nasty = false)
 {
   const Intrinsic_triangulation& input = named.surface;
   const Quartic_differential_result result = run(input);
   const Refined_cone_metric& metric = *result.refined_metric;
   CHECK_EQUAL(metric.refinement.defect(metric.triangulation), "");
-  CHECK(metric.max_curvature_error < 1e-9);
+  CHECK(metric.max_curvature_error < (nasty ? 1e-6 : 1e-9));
   CHECK_EQUAL(result.refined.has_value(), input.is_embedded());
   if (!result.refined) return;
 
@@ -127,7 +128,7 @@ void test(const Quartic_test::Named_surface& named, double most_faces)
   CHECK(CGAL::is_closed(t.mesh()) && t.mesh().is_valid());
   CHECK_EQUAL(t.genus(), input.genus());
   CHECK(static_cast<double>(t.number_of_faces()) <= most_faces * static_cast<double>(input.number_of_faces()));
-  check_on_input(input, refined);
+  check_on_input(input, refined, nasty ? 1e-8 : 1e-12);
   check_point_maps(input, refined);
 
   Visitor visitor;
@@ -181,6 +182,15 @@ int main()
   for (const auto& s : Quartic_test::sample_surfaces()) test(s, 2);
   for (const auto& s : Quartic_test::real_surfaces({"spot_5k8", "sculpt_7k3"})) test(s, 1.7);
   for (const auto& s : Quartic_test::real_surfaces({"buddha_20k"})) test(s, 3);
+  // surfaces made nasty: the faces by which long and thin triangles are cut by a Delaunay triangulation are many
+  const Mesh chain = handle_chain(2, 6);
+  const auto nasty = [](const char* name, const Mesh& mesh, double most_faces) {
+    test({name, Intrinsic_triangulation(mesh)}, most_faces, true);
+  };
+  nasty("stretched 100:1", Quartic_test::stretched(chain, 100), 60);
+  nasty("noise of half an edge", Quartic_test::noisy(chain, 0.5, 1), 3);
+  nasty("slivers", Quartic_test::with_slivers(chain, 1e-6, 2), 3);
+  nasty("a vertex of valence 500", Quartic_test::with_hub(chain, 500), 30);
   test_convergence(handle_chain(2, 8));
   return Quartic_test::result();
 }
