@@ -57,7 +57,7 @@ int main()
     }
     ++done;
     CHECK_EQUAL(defect(*r.differential), "");
-    CHECK_EQUAL(defect(*r.t_mesh, *r.differential), "");
+    CHECK_EQUAL(defect(*r.t_mesh, r.traced()), "");
     CHECK(r.metric->max_holonomy_error <= 1e-10);
     CHECK(r.metric->max_transition_error <= 1e-10);
     CHECK(r.legal->history.back() <= 1e-12);

@@ -60,7 +60,7 @@ struct Quartic_differential_result
   std::optional<Quartic_differential> differential;   ///< step 7, on the flat triangulation
   std::optional<Refined_surface>      refined;        ///< the same on the input, subdivided; if that is embedded
   Immersion_report                    immersion;
-  std::optional<T_mesh>               t_mesh;         ///< step 8
+  std::optional<T_mesh>               t_mesh;         ///< step 8, on `traced()`
   std::vector<std::pair<std::string, double>> timings; ///< seconds by step, in the order they ended
 
   /// the differential on which the T-mesh is traced: on the input where that is possible, otherwise on the flat
