@@ -10,6 +10,7 @@
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
 #include <CGAL/Quartic_differentials/internal/cone_insertion.h>
 #include <CGAL/Quartic_differentials/internal/face_frames.h>
+#include <CGAL/Quartic_differentials/internal/scientific.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/laplacian.h>
 #include <CGAL/Quartic_differentials/legalize_divisor.h>
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -27,16 +27,9 @@ namespace {
 
 using internal::Inserted_cones;
 using internal::Length_derivatives;
+using internal::scientific;
 
 const double pi = CGAL_PI;
-
-std::string scientific(double x)
-{
-  std::ostringstream out;
-  out.precision(2);
-  out << std::scientific << x;
-  return out.str();
-}
 
 double largest(const Eigen::VectorXd& x) { return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff(); }
 

@@ -7,9 +7,9 @@
 #include <CGAL/Quartic_differentials/initial_divisor.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
 #include <CGAL/Quartic_differentials/internal/face_frames.h>
+#include <CGAL/Quartic_differentials/internal/scientific.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 
-#include <sstream>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -17,6 +17,7 @@ namespace Quartic_differentials {
 namespace {
 
 using internal::Timed_step;
+using internal::scientific;
 
 // The divisor to start from: given, completed, or chosen.
 Divisor starting_divisor(const Riemann_surface& s, const std::optional<Divisor>& singularities,
@@ -60,13 +61,6 @@ Abel_jacobi_image image_of(const Abel_jacobi_map& map, const Riemann_surface& s,
   const Eigen::VectorXd on_sheet_0 = map.residual(legal.divisor);
   const Eigen::VectorXd nearest = (on_sheet_0 / (0.5 * CGAL_PI)).array().round();
   return abel_jacobi_image(map, s.periods, s.zeros, on_sheet_0, nearest);
-}
-
-std::string scientific(double x)
-{
-  std::ostringstream out;
-  out << std::scientific << x;
-  return out.str();
 }
 
 void require_reached(const Exact_cone_metric& m)

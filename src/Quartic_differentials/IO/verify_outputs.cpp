@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/IO/verify_outputs.h>
+#include <CGAL/Quartic_differentials/internal/scientific.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -22,7 +23,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -35,6 +35,7 @@ namespace {
 using Json    = nlohmann::json;
 using Integer = boost::multiprecision::cpp_int;
 using Checks  = std::vector<Verification>;
+using internal::scientific;
 
 // ---- Reading: everything that comes from a file passes through these functions
 
@@ -94,14 +95,6 @@ Position position(const Json& value, const std::string& what)
     p[k] = x.get<double>();
   }
   return p;
-}
-
-std::string scientific(double x)
-{
-  std::ostringstream out;
-  out.precision(2);
-  out << std::scientific << x;
-  return out.str();
 }
 
 const std::int64_t most_items = std::numeric_limits<std::int32_t>::max();
