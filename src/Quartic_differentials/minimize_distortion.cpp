@@ -60,7 +60,7 @@ Optimal_divisor minimize_distortion(const Area_distortion& distortion, const Abe
   Optimal_divisor optimal;
   optimal.legal = legalize_divisor(map, periods, divisor, legalization, visitor);
   Legal_divisor& legal = optimal.legal;
-  // the same sheet as the one on which m was found: F of the points lifted anew differs from it by integers only
+  // the points are lifted anew, on sheet 0: there m differs by integers from the vector that was found
   const internal::Moving_divisor start(map, legal.divisor);
   const Eigen::VectorXd m = (start.residual() / (0.5 * CGAL_PI)).array().round();
   internal::Descent descent = internal::descend(distortion, start, m, options, visitor);

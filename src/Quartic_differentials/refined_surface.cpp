@@ -75,9 +75,7 @@ public:
       m_first.push_back(next);
       next += r.crossings(e).size();
     }
-    m_size = next;
   }
-  std::size_t size() const { return m_size; }
   std::size_t operator()(const Cell_corner& k) const
   { return k.crossing.is_none() ? m_c.source(k.c).idx() : (*this)(k.crossing); }
   std::size_t operator()(Crossing_id x) const { return m_first[x.edge] + x.rank; }
@@ -85,7 +83,6 @@ public:
 private:
   const Intrinsic_triangulation& m_c;
   std::vector<std::size_t>       m_first;
-  std::size_t                    m_size;
 };
 
 // The positions along a C edge of its crossings, between 0 and 1, moved apart to a least gap where they are nearer.
