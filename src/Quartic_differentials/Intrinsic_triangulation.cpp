@@ -17,8 +17,6 @@ namespace Quartic_differentials {
 
 namespace {
 
-const double pi = CGAL_PI;
-
 bool triangle_inequality_holds(const std::array<double, 3>& l)
 {
   return l[0] < l[1] + l[2] && l[1] < l[2] + l[0] && l[2] < l[0] + l[1];
@@ -56,15 +54,6 @@ void check_gluing(const Glued_triangles& s)
 }
 
 } // namespace
-
-double four_times_area(double a, double b, double c)
-{
-  if (a < b) std::swap(a, b);
-  if (b < c) std::swap(b, c);
-  if (a < b) std::swap(a, b);
-  const double x = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
-  return x > 0 ? std::sqrt(x) : 0.0;
-}
 
 Intrinsic_triangulation::Intrinsic_triangulation(Mesh mesh)
   : m_mesh(std::move(mesh)), m_length(m_mesh.number_of_edges()), m_embedded(true)
@@ -168,30 +157,6 @@ Intrinsic_triangulation::Insertion Intrinsic_triangulation::insert(const Surface
     m_length[m_mesh.edge(result.spoke[k])] = std::abs(corner[k] - z);
   }
   return result;
-}
-
-std::vector<double> corner_angles(const Intrinsic_triangulation& t, const std::vector<double>& lengths)
-{
-  std::vector<double> angle(t.number_of_halfedges());
-  for (Face f : t.faces()) {
-    const auto h = t.halfedges(f);
-    const double l[3] = {lengths[t.edge(h[0])], lengths[t.edge(h[1])], lengths[t.edge(h[2])]};
-    for (int k = 0; k < 3; ++k) {
-      // tan^2(angle/2) = (a-b+c)(a+b-c) / ((a+b+c)(b+c-a)), a opposite, b and c adjacent, b >= c
-      const double a = l[(k + 1) % 3], b = std::max(l[k], l[(k + 2) % 3]), c = std::min(l[k], l[(k + 2) % 3]);
-      const double mu = c >= a ? a - (b - c) : c - (b - a);     // a - b + c without cancellation (Kahan)
-      const double numerator = mu * ((a + b) - c), denominator = (a + (b + c)) * ((b - a) + c);
-      angle[h[k]] = 2 * std::atan2(std::sqrt(std::max(numerator, 0.0)), std::sqrt(std::max(denominator, 0.0)));
-    }
-  }
-  return angle;
-}
-
-std::vector<double> curvatures(const Intrinsic_triangulation& t, const std::vector<double>& angles)
-{
-  std::vector<double> k(t.number_of_vertices(), 2 * pi);
-  for (Halfedge h : t.halfedges()) k[t.source(h)] -= angles[h];
-  return k;
 }
 
 std::string structural_defect(const Intrinsic_triangulation& t)

@@ -29,15 +29,8 @@ Eigen::VectorXd potential_of(const Abel_jacobi_map& map, const std::vector<Holom
 Eigen::VectorXd turning_numbers(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
                                 const std::vector<double>& angles)
 {
-  const auto alpha = [&](Halfedge h) { return internal::direction_in_face(t, angles, h); };
-  Eigen::VectorXd turning = Eigen::VectorXd::Zero(cochains.size());
-  for (Edge e : t.edges()) {
-    const Halfedge h = t.halfedge(e);
-    const Eigen::RowVectorXi crossings = cochains.row(h);
-    if (crossings.isZero()) continue;
-    turning += (alpha(h) - alpha(t.opposite(h)) - pi) * crossings.transpose().cast<double>();
-  }
-  return turning;
+  const std::vector<double> turning = internal::turning_numbers(t, cochains, angles);
+  return Eigen::Map<const Eigen::VectorXd>(turning.data(), cochains.size());
 }
 
 Abel_jacobi_map::Abel_jacobi_map(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
@@ -59,13 +52,8 @@ Abel_jacobi_map::Abel_jacobi_map(const Intrinsic_triangulation& t, const Harmoni
 Lifted_point Abel_jacobi_map::lift(const Surface_point& p) const
 {
   const double inward = 1e-9;
-  Lifted_point q{p, Eigen::RowVectorXd::Zero(dimension()), 1};
-  if (*std::min_element(p.barycentric.begin(), p.barycentric.end()) < inward) {
-    double sum = 0;
-    for (double& b : q.location.barycentric) sum += (b = std::max(b, inward));
-    for (double& b : q.location.barycentric) b /= sum;
-  }
-  return q;
+  const bool on_boundary = *std::min_element(p.barycentric.begin(), p.barycentric.end()) < inward;
+  return {on_boundary ? internal::moved_inside(p, inward) : p, Eigen::RowVectorXd::Zero(dimension()), 1};
 }
 
 Eigen::RowVectorXd Abel_jacobi_map::potential_in_face(const Surface_point& p) const

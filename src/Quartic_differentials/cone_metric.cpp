@@ -118,7 +118,7 @@ Flow flow_of(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
 {
   Inserted_cones inserted = internal::insert_cones(t, cochains, divisor);
   Flow flow;
-  flow.lambda = Length_derivatives(inserted);
+  flow.lambda = Length_derivatives(inserted.triangulation, inserted.frames);
   flow.frozen = inserted.frozen;
   Cone_metric& m = flow.metric;
   m.triangulation = std::move(inserted.triangulation);
@@ -139,28 +139,13 @@ Flow flow_of(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
   return flow;
 }
 
-// dT_k = Sum_f omega_k(h0) dtheta_1 - omega_k(h2) dtheta_2 with omega harmonic in the flat metric, and
-// dtheta_i = (cot theta_j + cot theta_k) lambda_jk - cot theta_j lambda_ij - cot theta_k lambda_ik (METHOD, step 6).
 Eigen::MatrixXd jacobian(const Flow& flow, Laplacian_solver& laplacian)
 {
   const Cone_metric& m = flow.metric;
-  const Intrinsic_triangulation& t = m.triangulation;
-  const std::vector<double> weights = cotangent_weights(t, m.lengths);
-  laplacian.factorize(t, weights);
-  const Harmonic_1_forms omega = harmonic_1_forms(t, m.cochains, weights, laplacian);
-  Eigen::MatrixXd j = Eigen::MatrixXd::Zero(m.cochains.size(), 2 * m.cones.size());
-  for (Face f : t.faces()) {
-    const auto h = t.halfedges(f);
-    if (flow.lambda[t.edge(h[0])].empty() && flow.lambda[t.edge(h[1])].empty() && flow.lambda[t.edge(h[2])].empty())
-      continue;
-    const double c[3] = {1 / std::tan(m.angles[h[0]]), 1 / std::tan(m.angles[h[1]]), 1 / std::tan(m.angles[h[2]])};
-    const double dtheta_1[3] = {-c[0], -c[2], c[2] + c[0]}, dtheta_2[3] = {c[0] + c[1], -c[1], -c[0]};
-    const Eigen::VectorXd omega_0 = omega.row(h[0]), omega_2 = omega.row(h[2]);
-    for (int k = 0; k < 3; ++k)
-      for (const auto& [i, lambda] : flow.lambda[t.edge(h[k])])
-        j.middleCols(2 * i, 2) += (omega_0 * dtheta_1[k] - omega_2 * dtheta_2[k]) * lambda.transpose();
-  }
-  return j;
+  const std::vector<double> weights = cotangent_weights(m.triangulation, m.lengths);
+  laplacian.factorize(m.triangulation, weights);
+  const Harmonic_1_forms omega = harmonic_1_forms(m.triangulation, m.cochains, weights, laplacian);
+  return internal::turning_derivative(m.triangulation, m.angles, flow.lambda, m.cones.size(), omega);
 }
 
 Eigen::VectorXd quarter_turn_defects(const Eigen::VectorXd& turning)
@@ -209,23 +194,11 @@ void refuse_collisions(const Intrinsic_triangulation& t, const Divisor& divisor,
 
 } // namespace
 
-double quarter_turn_defect(double angle) { return angle - pi / 2 * std::round(angle / (pi / 2)); }
+double quarter_turn_defect(double angle) { return internal::quarter_turn_defect(angle, pi); }
 
 double max_transition_error(const Intrinsic_triangulation& t, const std::vector<double>& angles)
 {
-  const auto rotation = [&](Halfedge h) {
-    return internal::direction_in_face(t, angles, t.opposite(h)) - internal::direction_in_face(t, angles, h) + pi;
-  };
-  std::vector<double> frame(t.number_of_faces(), 0);
-  internal::visit_faces_breadth_first(t, [&](Halfedge h) {
-    frame[t.face(t.opposite(h))] = std::remainder(frame[t.face(h)] + rotation(h), 2 * pi);
-  });
-  double worst = 0;
-  for (Edge e : t.edges()) {
-    const Halfedge h = t.halfedge(e);
-    worst = std::max(worst, std::abs(quarter_turn_defect(frame[t.face(h)] + rotation(h) - frame[t.face(t.opposite(h))])));
-  }
-  return worst;
+  return internal::max_transition_error(t, angles);
 }
 
 Cone_metric cone_metric(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor,

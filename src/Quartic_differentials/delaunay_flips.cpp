@@ -48,11 +48,4 @@ bool certified_not_delaunay(double e, double a, double b, double c, double d)
   return sign_with_margin<CGAL::Exact_rational>(e, a, b, c, d) == CGAL::NEGATIVE;
 }
 
-double euclidean_diagonal(double e, double a, double b, double c, double d)
-{
-  const double kx = (e * e + b * b - a * a) / (2 * e), ky = four_times_area(e, a, b) / (2 * e);
-  const double lx = (e * e + c * c - d * d) / (2 * e), ly = four_times_area(e, c, d) / (2 * e);
-  return std::hypot(kx - lx, ky + ly);
-}
-
 } } // namespace CGAL::Quartic_differentials

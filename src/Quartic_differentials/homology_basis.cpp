@@ -170,11 +170,18 @@ Homology_basis homology_basis(const Intrinsic_triangulation& t)
   if (basis.intersection_matrix != symplectic_unit(n / 2))
     throw Numerical_error("the intersection form of the canonical basis is not the symplectic unit");
 
-  basis.cochains = Integer_cochains(t.number_of_edges(), n);
+  basis.cochains = cochains_of_loops(basis, t.number_of_edges());
+  return basis;
+}
+
+Integer_cochains cochains_of_loops(const Homology_basis& basis, std::size_t edges)
+{
+  const int n = static_cast<int>(basis.loops.size());
+  Integer_cochains cochains(edges, n);
   for (int k = 0; k < n; ++k)
     for (Halfedge h : basis.loops[k])
-      for (int l = 0; l < n; ++l) basis.cochains.add(h, l, basis.combination(l, k));
-  return basis;
+      for (int l = 0; l < n; ++l) cochains.add(h, l, basis.combination(l, k));
+  return cochains;
 }
 
 } } // namespace CGAL::Quartic_differentials

@@ -12,9 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <queue>
 #include <sstream>
-#include <tuple>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -29,56 +27,13 @@ namespace {
 
 using Complex      = std::complex<double>;
 using Cut_disk     = internal::Cut_disk;
+using Layout       = internal::Layout;
 using Grid_vectors = std::vector<Grid_vector>;
 
 const double pi = CGAL_PI;
 const double largest_rotation_error = 1e-6;
 
 // ---- The layout in floating point numbers
-
-struct Layout
-{
-  std::vector<Complex> position;    // by halfedge: of its source in the disk
-  std::vector<Complex> direction;   // by halfedge: unit vector along it
-};
-
-// Breadth first, but a face across a shorter edge before one across an edge 16 times as long: so the paths to faces are
-// short, and the gaps of the layout appear between large triangles, not inside a region of small ones.
-Layout layout(const Intrinsic_triangulation& t, const std::vector<double>& lengths, const Cut_disk& disk)
-{
-  struct Entry
-  {
-    int         scale;    // smaller ones are more urgent, then smaller numbers
-    std::size_t number;
-    Halfedge    h;
-    bool operator<(const Entry& e) const { return std::tie(scale, number) > std::tie(e.scale, e.number); }
-  };
-  const auto scale = [](double length) { return static_cast<int>(std::floor(std::log2(length) / 4)); };
-  std::priority_queue<Entry> queue;
-  std::size_t pushed = 0;
-  const std::vector<double> angle = corner_angles(t, lengths);
-  std::vector<char> placed(t.number_of_faces(), false);
-  Layout result{std::vector<Complex>(t.number_of_halfedges()), std::vector<Complex>(t.number_of_halfedges())};
-  const auto place = [&](Halfedge h, Complex z, Complex e) {
-    placed[t.face(h)] = true;
-    for (int k = 0; k < 3; ++k) {
-      result.position[h] = z;
-      result.direction[h] = e;
-      if (!disk.is_cut[t.edge(h)]) queue.push({scale(lengths[t.edge(h)]), pushed++, h});
-      z += lengths[t.edge(h)] * e;
-      h = t.next(h);
-      e *= std::polar(1.0, pi - angle[h]);
-      e /= std::abs(e);
-    }
-  };
-  place(t.halfedge(*t.faces().begin()), 0, 1);
-  while (!queue.empty()) {
-    const Halfedge h = queue.top().h, o = t.opposite(h);
-    queue.pop();
-    if (!placed[t.face(o)]) place(o, result.position[t.next(h)], -result.direction[h]);
-  }
-  return result;
-}
 
 // moves the centre to 0 and scales to a largest coordinate of 1
 void normalise(std::vector<Complex>& position)
@@ -295,20 +250,26 @@ void require_exact_holonomy(double rotation_error)
 
 } // namespace
 
-Quartic_differential immersion(const Intrinsic_triangulation& t, const std::vector<double>& flat_lengths,
-                               const std::vector<Vertex>& singularities, const std::vector<int>& order,
-                               double surface_area, const Immersion_options& options, Immersion_report& report)
+namespace internal {
+
+Cut_disk cut_at_cones(const Intrinsic_triangulation& t, const std::vector<double>& flat_lengths,
+                      const std::vector<Vertex>& singularities)
+{
+  std::vector<char> is_cone(t.number_of_vertices(), false);
+  for (Vertex v : singularities) is_cone[v] = true;
+  return cut_to_disk(t, flat_lengths, is_cone);
+}
+
+Quartic_differential immersion_of_layout(const Intrinsic_triangulation& t, const std::vector<double>& flat_lengths,
+                                         const Cut_disk& disk, Layout plane, const std::vector<Vertex>& singularities,
+                                         const std::vector<int>& order, double surface_area,
+                                         const Immersion_options& options, Immersion_report& report)
 {
   CGAL_precondition(options.grid_exponent == 0 || (options.grid_exponent >= 20 && options.grid_exponent <= 50));
   CGAL_precondition(flat_lengths.size() == t.number_of_edges() && order.size() == t.number_of_vertices());
   report = {};
-  std::vector<char> is_cone(t.number_of_vertices(), false);
-  for (Vertex v : singularities) is_cone[v] = true;
-  const Cut_disk disk = internal::cut_to_disk(t, flat_lengths, is_cone);
   report.cut_edges = disk.boundary.size() / 2;
   report.segments = disk.sides.size() / 2;
-
-  Layout plane = layout(t, flat_lengths, disk);
   normalise(plane.position);
   report.layout_gap = layout_gap(t, disk, plane.position);
   const std::vector<int> k = rotations(t, disk, plane.direction, report.rotation_error);
@@ -331,17 +292,26 @@ Quartic_differential immersion(const Intrinsic_triangulation& t, const std::vect
   return q;
 }
 
-void require_resolved_triangles(const Immersion_report& report)
+} // namespace internal
+
+std::string unresolved_triangles(const Immersion_report& report)
 {
   const double moved = std::ldexp(std::max(report.largest_move, report.layout_gap), report.grid_exponent);   // grid units
-  if (report.flipped_triangles == 0 && report.min_altitude >= 100 * moved) return;
+  if (report.flipped_triangles == 0 && report.min_altitude >= 100 * moved) return {};
   std::ostringstream s;
   if (report.flipped_triangles > 0) s << report.flipped_triangles << " triangles";
   else s << "the smallest triangles";
   s << " of the flat metric are too small for a grid of 2^-" << report.grid_exponent
     << " of its size (the smallest altitude is " << report.min_altitude << " grid units, the layout is accurate to " << moved
-    << "): the scale factors vary too much; use more or better placed singularities";
-  throw Numerical_error(s.str());
+    << ")";
+  return s.str();
+}
+
+void require_resolved_triangles(const Immersion_report& report)
+{
+  const std::string reason = unresolved_triangles(report);
+  if (!reason.empty())
+    throw Numerical_error(reason + ": the scale factors vary too much; use more or better placed singularities");
 }
 
 } } // namespace CGAL::Quartic_differentials

@@ -3,13 +3,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/Common_refinement.h>
+#include <CGAL/Quartic_differentials/arbitrary_precision.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/initial_divisor.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
 #include <CGAL/Quartic_differentials/internal/face_frames.h>
 #include <CGAL/Quartic_differentials/internal/scientific.h>
+#include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 
+#include <complex>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -63,23 +66,33 @@ Abel_jacobi_image image_of(const Abel_jacobi_map& map, const Riemann_surface& s,
   return abel_jacobi_image(map, s.periods, s.zeros, on_sheet_0, nearest);
 }
 
-void require_reached(const Exact_cone_metric& m)
+// Why the flat metric of step 6 is not good enough, as a sentence, or "".
+std::string shortfall(const Exact_cone_metric& m)
 {
-  if (m.reached) return;
   const Flow_report& flow = m.metric.flow;
+  if (m.reached) return {};
   if (!flow.reached())
-    throw Numerical_error("the flat metric was not reached: the curvature error is " + scientific(flow.max_curvature_error)
-                          + " rad after " + std::to_string(flow.newton_iterations) + " Newton steps (tolerance "
-                          + scientific(flow.tolerance) + "); use more or better placed singularities");
-  throw Numerical_error("the holonomy was not made exact: the error is " + scientific(m.max_holonomy_error)
-                        + " rad on the basis loops and " + scientific(m.max_transition_error) + " rad on edges");
+    return "the flat metric was not reached: the curvature error is " + scientific(flow.max_curvature_error) + " rad after "
+           + std::to_string(flow.newton_iterations) + " Newton steps (tolerance " + scientific(flow.tolerance) + ")";
+  return "the holonomy was not made exact: the error is " + scientific(m.max_holonomy_error) + " rad on the basis loops and "
+         + scientific(m.max_transition_error) + " rad on edges";
 }
 
-void require_same_metric(const Refined_cone_metric& r)
+// More digits help where a solution is near; where it is not, the divisor is to blame.
+void require_near(const Exact_cone_metric& m)
 {
-  if (r.max_curvature_error <= 1e-6) return;   // radians; what the layout accepts of rotations
-  throw Numerical_error("the input's triangles are too thin to carry the flat metric: its curvature error is "
-                        + scientific(r.max_curvature_error) + " rad there");
+  const double near = 1e-3;   // radians
+  if (m.metric.flow.max_curvature_error < near && m.max_holonomy_error < near) return;
+  throw Numerical_error(shortfall(m) + "; use more or better placed singularities");
+}
+
+// The same for the metric on the triangulation that is laid out, made from the input's own triangles.
+std::string shortfall(const Precision_report& p)
+{
+  const double accepted = 1e-9;   // radians
+  if (p.max_curvature_error <= accepted && p.max_transition_error <= accepted) return {};
+  return "the input's triangles are too thin: the curvature error is " + scientific(p.max_curvature_error)
+         + " rad there, that of transitions " + scientific(p.max_transition_error) + " rad";
 }
 
 void require_valid(const Refined_surface& refined)
@@ -91,16 +104,68 @@ void require_valid(const Refined_surface& refined)
     throw Numerical_error("the refined surface does not carry the flat metric: " + violation);
 }
 
+// Puts the cones that were inserted in faces to their places in space, on anything that has `set_point()`.
+template <class Surface>
+void set_positions(const Intrinsic_triangulation& input, const Divisor& divisor, const std::vector<Vertex>& cones,
+                   Surface& surface)
+{
+  if (!input.is_embedded()) return;
+  for (std::size_t i = 0; i < divisor.size(); ++i)
+    if (cones[i].idx() >= input.number_of_vertices())
+      surface.set_point(cones[i], position_on_input(input, divisor[i].location));
+}
+
 // The final divisor on the input, and the cones' places in space.
 void place_singularities(const Intrinsic_triangulation& input, Quartic_differential_result& r)
 {
   r.singularities = r.metric->divisor;
+  for (Singularity& s : r.singularities) s.location = r.surface->refinement->to_input(s.location);
+  set_positions(input, r.singularities, r.metric->metric.cones, r.metric->metric.triangulation);
+}
+
+// Step 7 in numbers of more digits; the cones' last moves and the scales go back into the results in doubles.
+void immerse_precisely(const Intrinsic_triangulation& input, int bits, const std::string& reason,
+                       const Quartic_differential_options& options, Visitor& visitor, Quartic_differential_result& r)
+{
+  if (!reason.empty())
+    visitor.progress("double precision is not enough: " + reason + "; going on with " + std::to_string(bits) + " bits");
+  Cone_metric& m = r.metric->metric;
+  Precise_immersion precise = precise_immersion(input, m, *r.refined_metric, bits, options.immersion, visitor);
+  r.precision = std::move(precise.precision);
+  r.precision->reason = reason;
+  m.u = precise.u;
   for (std::size_t i = 0; i < r.singularities.size(); ++i) {
+    const std::complex<double> move(precise.moved[2 * i], precise.moved[2 * i + 1]);
+    if (move == 0.) continue;
     Surface_point& p = r.singularities[i].location;
-    p = r.surface->refinement->to_input(p);
-    if (const Vertex v = r.metric->metric.cones[i]; input.is_embedded() && v.idx() >= input.number_of_vertices())
-      r.metric->metric.triangulation.set_point(v, position_on_input(input, p));
+    const auto corner = input.unfolded(p.face);
+    p.barycentric = internal::barycentric(corner, internal::point_in_frame(corner, p.barycentric) + move);
+    r.metric->moved_by[i] += std::abs(move);
   }
+  set_positions(input, r.singularities, m.cones, r.refined_metric->refinement);
+  set_positions(input, r.singularities, m.cones, precise.differential.triangulation);
+  r.differential = std::move(precise.differential);
+  r.immersion = precise.immersion;
+}
+
+// Step 7, with as many digits as are asked for or needed.
+void immerse(const Intrinsic_triangulation& input, const Quartic_differential_options& options, Visitor& visitor,
+             Quartic_differential_result& r)
+{
+  const int enough = 128;
+  std::string reason = shortfall(*r.metric);
+  if (reason.empty()) reason = shortfall(*r.precision);
+  if (options.precision != 0) {
+    immerse_precisely(input, options.precision, "", options, visitor, r);
+    return;
+  }
+  if (reason.empty()) {
+    const Cone_metric& m = r.metric->metric;
+    r.differential = immersion(r.refined_metric->triangulation, r.refined_metric->lengths, m.cones, m.order, input.area(),
+                               options.immersion, r.immersion);
+    reason = unresolved_triangles(r.immersion);
+  }
+  if (!reason.empty()) immerse_precisely(input, enough, reason, options, visitor, r);
 }
 
 } // namespace
@@ -127,23 +192,21 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
   }
   result.metric = exact_cone_metric(s.delaunay, s.homology.cochains, result.legal->divisor, options.cone_metric, visitor);
   place_singularities(input, result);
-  require_reached(*result.metric);
-  const Cone_metric& m = result.metric->metric;
+  require_near(*result.metric);
   {
     const Timed_step step(visitor, "refinement");
-    result.refined_metric = refined_cone_metric(input, result.singularities, m);
-    require_same_metric(*result.refined_metric);
+    result.refined_metric = refined_cone_metric(input, cochains_of_loops(s.homology, input.number_of_edges()),
+                                                result.singularities, result.metric->metric);
+    result.precision = result.refined_metric->precision;
   }
-  const Refined_cone_metric& r = *result.refined_metric;
   {
     const Timed_step step(visitor, "immersion");
-    result.differential = immersion(r.triangulation, r.lengths, m.cones, m.order, input.area(), options.immersion,
-                                    result.immersion);
+    immerse(input, options, visitor, result);
     require_resolved_triangles(result.immersion);
   }
   if (input.is_embedded()) {
     const Timed_step step(visitor, "refinement");
-    result.refined = refined_surface(input, r, m.u, *result.differential);
+    result.refined = refined_surface(input, *result.refined_metric, result.metric->metric.u, *result.differential);
     require_valid(*result.refined);
   }
   if (!result.singularities.empty()) {

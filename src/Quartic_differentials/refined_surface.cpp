@@ -6,6 +6,7 @@
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/cone_insertion.h>
+#include <CGAL/Quartic_differentials/internal/flat_metric_errors.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/refined_surface.h>
 
@@ -20,15 +21,8 @@ namespace Quartic_differentials {
 namespace {
 
 using Complex = std::complex<double>;
+using internal::moved_inside;
 const double inside = 1e-9;   // the least barycentric coordinate of a cone in its face of the input
-
-Surface_point moved_inside(Surface_point p, double least)
-{
-  double sum = 0;
-  for (double& b : p.barycentric) sum += (b = std::max(b, least));
-  for (double& b : p.barycentric) b /= sum;
-  return p;
-}
 
 Complex in_units(Grid_vector z, int grid_exponent)
 {
@@ -191,29 +185,41 @@ bool lies_along(const Intrinsic_triangulation& c, Halfedge h, const Cell_corner&
 
 } // namespace
 
-Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, const Divisor& divisor,
-                                        const Cone_metric& metric)
+Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, const Integer_cochains& cochains,
+                                        const Divisor& divisor, const Cone_metric& metric)
 {
+  Refined_cone_metric r;
+  r.cochains = cochains;
   internal::Point_inserter inserter(input);
-  for (std::size_t i = 0; i < divisor.size(); ++i)
-    if (metric.cones[i].idx() >= input.number_of_vertices()) inserter.insert(moved_inside(divisor[i].location, inside));
+  internal::Cone_frames frames;
+  for (std::size_t i = 0; i < divisor.size(); ++i) {
+    if (metric.cones[i].idx() < input.number_of_vertices()) continue;
+    const Surface_point p = moved_inside(divisor[i].location, inside);
+    const internal::Point_inserter::Inserted inserted = inserter.insert(p);
+    r.cochains.after_insertion(inserter.triangulation(), inserted.insertion);
+    r.construction.cones.push_back({i, p, inserted});
+    if (!divisor[i].pinned) frames.add({static_cast<int>(i), inserted.insertion.spoke[0], inserted.angle});
+  }
   Intrinsic_triangulation a = inserter.triangulation();
-  if (input.is_embedded())
-    for (std::size_t v = input.number_of_vertices(); v < a.number_of_vertices(); ++v) {
-      const Vertex cone(static_cast<Mesh::size_type>(v));
-      a.set_point(cone, metric.triangulation.mesh().point(cone));
-    }
-  Refined_cone_metric r{a, {}, Common_refinement(a), inserter.original_faces(), 0};
-  make_delaunay(r.triangulation, r.refinement);
-  make_ideal_delaunay(r.triangulation, metric.u, r.refinement);
+  for (const auto& c : r.construction.cones)
+    if (input.is_embedded()) a.set_point(c.inserted.insertion.vertex, position_on_input(input, c.location));
+  r.input_face = inserter.original_faces();
+  r.triangulation = a;
+  r.refinement = Common_refinement(a);
+  make_delaunay(r.triangulation, r.refinement, r.cochains, frames, r.construction.flips);
+  r.derivatives = internal::Length_derivatives(r.triangulation, frames);
+  make_ideal_delaunay(r.triangulation, metric.u, r.refinement, r.cochains, r.derivatives, r.construction.flips);
   for (Edge e : r.triangulation.edges()) {
     const Halfedge h = r.triangulation.halfedge(e);
     r.lengths.push_back(r.triangulation.length(e) * std::exp(0.5 * (metric.u[r.triangulation.source(h)]
                                                                    + metric.u[r.triangulation.target(h)])));
   }
-  const std::vector<double> k = curvatures(r.triangulation, corner_angles(r.triangulation, r.lengths));
-  for (std::size_t v = 0; v < k.size(); ++v)
-    r.max_curvature_error = std::max(r.max_curvature_error, std::abs(k[v] + metric.order[v] * CGAL_PI / 2));
+  auto errors = internal::flat_metric_errors(r.triangulation, r.cochains, metric.order, r.lengths);
+  r.precision.max_curvature_error = internal::largest(errors.curvature);
+  r.precision.max_holonomy_error = internal::largest(errors.turning);
+  r.precision.max_transition_error = internal::max_transition_error(r.triangulation, errors.angles);
+  r.precision.curvature_error = std::move(errors.curvature);
+  r.precision.turning_error = std::move(errors.turning);
   return r;
 }
 

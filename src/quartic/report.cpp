@@ -62,12 +62,13 @@ std::size_t peak_memory_bytes()
 
 std::string loop_name(int k, int genus) { return (k < genus ? "a" : "b") + std::to_string(k % genus + 1); }
 
-Json holonomy_of(const std::string& loop, double radians)
+// the turning of a loop that is off a multiple of 90 degrees by `error`
+Json holonomy_of(const std::string& loop, double radians, double error)
 {
-  const double degrees = radians * 180 / CGAL_PI;
-  const double multiple = std::round(degrees / 90);
-  return {{"loop", loop}, {"degrees", degrees}, {"multiple_of_90", static_cast<long>(multiple)},
-          {"error_degrees", quarter_turn_defect(radians) * 180 / CGAL_PI}};
+  const long multiple = std::lround((radians - error) / (CGAL_PI / 2));
+  const double error_degrees = error * 180 / CGAL_PI;
+  return {{"loop", loop}, {"degrees", 90.0 * static_cast<double>(multiple) + error_degrees}, {"multiple_of_90", multiple},
+          {"error_degrees", error_degrees}};
 }
 
 // the turning of a loop modulo 360 degrees, from -135 to 225: multiples of 90 are then -1, 0, 1, 2 whatever the rounding
@@ -77,17 +78,33 @@ double reduced_turning(double radians)
   return reduced < -0.75 * CGAL_PI ? reduced + 2 * CGAL_PI : reduced;
 }
 
-// the paper's table 2: the rotation along every basis loop and round every singularity
-Json holonomy_report(const Exact_cone_metric& m)
+// the paper's table 2: the rotation along every basis loop and round every singularity, of the metric that was laid out,
+// or, if the run did not come so far, of step 6
+Json holonomy_report(const Exact_cone_metric& m, const std::optional<Precision_report>& precision)
 {
   Json table = Json::array();
   const int n = static_cast<int>(m.turning.size());
-  for (int k = 0; k < n; ++k)
-    table.push_back(holonomy_of(loop_name(k, n / 2), reduced_turning(m.turning[k])));
+  for (int k = 0; k < n; ++k) {
+    const double error = precision ? precision->turning_error[k] : quarter_turn_defect(m.turning[k]);
+    table.push_back(holonomy_of(loop_name(k, n / 2), reduced_turning(m.turning[k]), error));
+  }
   const std::vector<double> curvature = curvatures(m.metric.triangulation, m.metric.angles);
-  for (std::size_t i = 0; i < m.metric.cones.size(); ++i)
-    table.push_back(holonomy_of("singularity " + std::to_string(i + 1), 2 * CGAL_PI - curvature[m.metric.cones[i]]));
+  for (std::size_t i = 0; i < m.metric.cones.size(); ++i) {
+    const Vertex v = m.metric.cones[i];
+    const double angle = 2 * CGAL_PI - curvature[v];
+    const double error = precision ? -precision->curvature_error[v] : quarter_turn_defect(angle);
+    table.push_back(holonomy_of("singularity " + std::to_string(i + 1), angle, error));
+  }
   return table;
+}
+
+Json precision_report(const Precision_report& p)
+{
+  Json report = {{"bits", p.bits}, {"max_curvature_error", p.max_curvature_error},
+                 {"max_holonomy_error_radians", p.max_holonomy_error},
+                 {"max_transition_error_radians", p.max_transition_error}, {"history", p.history}};
+  if (!p.reason.empty()) report["reason"] = p.reason;
+  return report;
 }
 
 Json abel_jacobi_report(const Quartic_differential_result& r)
@@ -264,10 +281,13 @@ Json run_report(const Run_facts& facts, const Quartic_differential_result& r)
   if (r.metric) {
     report["singularities"] = singularities_report(facts, r);
     report["flow"] = flow_report(*r.metric);
-    report["holonomy"] = holonomy_report(*r.metric);
-    report["max_holonomy_error_radians"] = std::max(r.metric->max_holonomy_error, r.metric->max_transition_error);
+    report["holonomy"] = holonomy_report(*r.metric, r.precision);
+    report["max_holonomy_error_radians"] = r.precision
+      ? std::max(r.precision->max_holonomy_error, r.precision->max_transition_error)
+      : std::max(r.metric->max_holonomy_error, r.metric->max_transition_error);
     report["quality"] = quality_report(facts, r);
   }
+  if (r.precision) report["precision"] = precision_report(*r.precision);
   if (r.immersion.grid_exponent != 0) {
     report["immersion"] = {{"grid_exponent", r.immersion.grid_exponent},
                            {"surface_units_per_unit", r.differential ? r.differential->surface_units_per_unit : 0},
@@ -282,7 +302,7 @@ Json run_report(const Run_facts& facts, const Quartic_differential_result& r)
                             {"faces_by_input_face", static_cast<double>(t.number_of_faces())
                                                     / static_cast<double>(facts.input->number_of_faces())},
                             {"flips", r.refined->flipped_triangles},
-                            {"max_curvature_error", r.refined_metric->max_curvature_error}};
+                            {"max_curvature_error", r.refined_metric->precision.max_curvature_error}};
   }
   if (r.t_mesh) report["tmesh"] = t_mesh_report(*r.t_mesh);
 

@@ -182,6 +182,10 @@ void add_run(CLI::App& app)
                       "from the 'zeros' of a holomorphic 1-form")
          ->transform(CLI::CheckedTransformer(routes, CLI::ignore_case).description(""))
          ->type_name("curvature|zeros")->default_str("curvature");
+  command->add_option("--precision", options->pipeline.precision,
+                      "Compute the flat metric, its holonomy and its layout with this number of binary digits; without it "
+                      "doubles are used, and 128 digits where those are not enough")
+         ->check(CLI::Range(64, 1024))->type_name("BITS");
   command->add_flag("--intrinsic", options->intrinsic,
                     "Also write flat_intrinsic.obj: the flat triangulation, drawn straight between its vertices");
   command->add_flag("-q,--quiet", options->quiet, "Print nothing but errors");

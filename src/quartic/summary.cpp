@@ -64,6 +64,12 @@ void print_summary(std::ostream& out, const Json& report)
         + number(report["quality"]["area_scale_99_to_1_percent"]));
     row(out, "holonomy", "multiples of 90 degrees up to " + number(report["max_holonomy_error_radians"]) + " rad");
   }
+  if (report.contains("precision") && report["precision"]["bits"] != 53) {
+    const Json& p = report["precision"];
+    row(out, "precision", std::to_string(p["bits"].get<int>()) + " bits: curvature error " + number(p["max_curvature_error"])
+        + " rad");
+    if (p.contains("reason")) row(out, "", "because " + p["reason"].get<std::string>());
+  }
   if (report.contains("immersion") && report["immersion"]["flips"] == 0)
     row(out, "charts", "exact on a grid of 2^-" + std::to_string(report["immersion"]["grid_exponent"].get<int>())
         + ", no triangle flipped");

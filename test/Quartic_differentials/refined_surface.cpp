@@ -113,14 +113,17 @@ void test(const Quartic_test::Named_surface& named, double most_faces, bool nast
   const Quartic_differential_result result = run(input);
   const Refined_cone_metric& metric = *result.refined_metric;
   CHECK_EQUAL(metric.refinement.defect(metric.triangulation), "");
-  CHECK(metric.max_curvature_error < (nasty ? 1e-6 : 1e-9));
+  CHECK(result.precision->max_curvature_error < 1e-9);
+  CHECK(result.precision->max_transition_error < 1e-9);
+  CHECK(metric.precision.max_curvature_error < (nasty ? 1e-6 : 1e-9));
   CHECK_EQUAL(result.refined.has_value(), input.is_embedded());
   if (!result.refined) return;
 
   const Refined_surface& refined = *result.refined;
   const Intrinsic_triangulation& t = refined.differential.triangulation;
   std::cout << named.name << ": " << input.number_of_faces() << " -> " << t.number_of_faces() << " faces, curvature error "
-            << metric.max_curvature_error << std::endl;
+            << metric.precision.max_curvature_error << " in doubles, " << result.precision->max_curvature_error << " with "
+            << result.precision->bits << " bits" << std::endl;
   CHECK_EQUAL(refined.flipped_triangles, 0u);
   CHECK_EQUAL(defect(refined.differential), "");
   CHECK(refined.differential.doubled_area() == result.differential->doubled_area());   // exactly

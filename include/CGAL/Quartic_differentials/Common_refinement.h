@@ -68,6 +68,7 @@ struct Crossing
 class Common_refinement
 {
 public:
+  Common_refinement() = default;
   /// the refinement of a triangulation with itself
   explicit Common_refinement(const Intrinsic_triangulation& a);
 
@@ -75,6 +76,8 @@ public:
   void before_flip(const Intrinsic_triangulation& c, const Edge_flip& flip);
 
   const Intrinsic_triangulation& input() const { return m_a; }
+  /// moves a vertex of A in space
+  void set_point(Vertex v, const Point_3& p) { m_a.set_point(v, p); }
 
   /// the crossings on a C edge, in order along first_halfedge(c)
   const std::vector<Crossing>& crossings(Edge c) const { return m_crossings[c]; }

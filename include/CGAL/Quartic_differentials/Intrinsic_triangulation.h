@@ -8,7 +8,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <vector>
@@ -136,17 +138,60 @@ private:
   bool                m_embedded = false;
 };
 
+/// pi, in radians, in a number type
+template <class FT>
+FT half_turn()
+{
+  using std::acos;
+  return acos(FT(-1));
+}
+
 /// four times the area of the triangle with sides a, b, c (Kahan's formula: accurate for needles);
 /// 0 where the triangle inequality fails. Complexity: constant.
-double four_times_area(double a, double b, double c);
+template <class FT>
+FT four_times_area(FT a, FT b, FT c)
+{
+  using std::sqrt;
+  using std::swap;
+  if (a < b) swap(a, b);
+  if (b < c) swap(b, c);
+  if (a < b) swap(a, b);
+  const FT x = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+  return x > 0 ? FT(sqrt(x)) : FT(0);
+}
 
-/// the angle at source(h) in face(h), for every halfedge and the given edge lengths. [radians]
+/// the angle at source(h) in face(h), for every halfedge and the given edge lengths, in their number type. [radians]
 /// Accurate for needles too (half-angle formula). Complexity: linear.
 /// \pre the lengths satisfy the triangle inequality in every face
-std::vector<double> corner_angles(const Intrinsic_triangulation& t, const std::vector<double>& lengths);
+template <class FT>
+std::vector<FT> corner_angles(const Intrinsic_triangulation& t, const std::vector<FT>& lengths)
+{
+  using std::atan2;
+  using std::sqrt;
+  const auto root = [](const FT& x) { return x > 0 ? FT(sqrt(x)) : FT(0); };
+  std::vector<FT> angle(t.number_of_halfedges());
+  for (Face f : t.faces()) {
+    const auto h = t.halfedges(f);
+    const std::array<FT, 3> l{lengths[t.edge(h[0])], lengths[t.edge(h[1])], lengths[t.edge(h[2])]};
+    for (int k = 0; k < 3; ++k) {
+      // tan^2(angle/2) = (a-b+c)(a+b-c) / ((a+b+c)(b+c-a)), a opposite, b and c adjacent, b >= c
+      const FT &a = l[(k + 1) % 3], &b = (std::max)(l[k], l[(k + 2) % 3]), &c = (std::min)(l[k], l[(k + 2) % 3]);
+      const FT mu = c >= a ? FT(a - (b - c)) : FT(c - (b - a));     // a - b + c without cancellation (Kahan)
+      const FT numerator = mu * ((a + b) - c), denominator = (a + (b + c)) * ((b - a) + c);
+      angle[h[k]] = 2 * atan2(root(numerator), root(denominator));
+    }
+  }
+  return angle;
+}
 
 /// K_v = 2*pi minus the angles round v. [radians]
-std::vector<double> curvatures(const Intrinsic_triangulation& t, const std::vector<double>& angles);
+template <class FT>
+std::vector<FT> curvatures(const Intrinsic_triangulation& t, const std::vector<FT>& angles)
+{
+  std::vector<FT> k(t.number_of_vertices(), 2 * half_turn<FT>());
+  for (Halfedge h : t.halfedges()) k[t.source(h)] -= angles[h];
+  return k;
+}
 
 /// checks every structural invariant of a Delta-complex that `is_valid_polygon_mesh` cannot (it refuses parallel
 /// edges and loops) and returns the first violation as a sentence, or the empty string.

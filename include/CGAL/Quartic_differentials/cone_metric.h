@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -44,6 +45,19 @@ struct Flow_report
   double              tolerance = 0;
   std::vector<double> history;                   ///< max curvature error before the first and after every step
   bool reached() const { return max_curvature_error <= tolerance; }
+};
+
+/// How exact a flat metric is, and with how many digits it was computed.
+struct Precision_report
+{
+  int                 bits = 53;                 ///< binary digits; 53 are a double's
+  std::string         reason;                    ///< why more were taken than were asked for, or ""
+  std::vector<double> curvature_error;           ///< by vertex: K - target [radians]
+  std::vector<double> turning_error;             ///< by basis loop: T minus the nearest multiple of pi/2 [radians]
+  double              max_curvature_error = 0;   ///< [radians]
+  double              max_holonomy_error = 0;    ///< over the basis loops [radians]
+  double              max_transition_error = 0;  ///< over all edges of a frame propagated over all faces [radians]
+  std::vector<double> history;                   ///< the greater of the first two maxima, before and after every step
 };
 
 /// A flat metric with cone singularities, discretely conformal to a triangulated surface.

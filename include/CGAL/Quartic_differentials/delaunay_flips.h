@@ -23,7 +23,21 @@ bool certified_not_delaunay(double e, double a, double b, double c, double d);
 
 /// the length of the other diagonal of two triangles (e, a, b) and (e, c, d) unfolded into the plane
 /// (a = jk, b = ki, c = il, d = lj, e = ij). Complexity: constant.
-double euclidean_diagonal(double e, double a, double b, double c, double d);
+template <class FT>
+FT euclidean_diagonal(const FT& e, const FT& a, const FT& b, const FT& c, const FT& d)
+{
+  using std::sqrt;
+  const FT x = ((b * b - a * a) - (c * c - d * d)) / (2 * e);
+  const FT y = (four_times_area(e, a, b) + four_times_area(e, c, d)) / (2 * e);
+  return sqrt(x * x + y * y);
+}
+
+/// the same by Ptolemy's rule
+template <class FT>
+FT ptolemy_diagonal(const FT& e, const FT& a, const FT& b, const FT& c, const FT& d)
+{
+  return (a * c + b * d) / e;
+}
 
 /// flips edges until none is certified non-Delaunay, by Euclidean unfolding, and returns the number of flips.
 /// Each rider's `before_flip(t, flip)` is called before the connectivity changes.
@@ -99,7 +113,7 @@ std::size_t flip_to_delaunay(Intrinsic_triangulation& t, bool ptolemy, Scaled sc
 template <class... Riders>
 std::size_t make_delaunay(Intrinsic_triangulation& t, Riders&... riders)
 {
-  return internal::flip_to_delaunay(t, false, [&](Edge e) { return t.length(e); }, euclidean_diagonal, riders...);
+  return internal::flip_to_delaunay(t, false, [&](Edge e) { return t.length(e); }, euclidean_diagonal<double>, riders...);
 }
 
 template <class... Riders>
@@ -111,8 +125,7 @@ std::size_t make_ideal_delaunay(Intrinsic_triangulation& t, const std::vector<do
     const Halfedge h = t.halfedge(e);
     return t.length(e) * half_scale[t.source(h)] * half_scale[t.target(h)];
   };
-  const auto ptolemy = [](double e, double a, double b, double c, double d) { return (a * c + b * d) / e; };
-  return internal::flip_to_delaunay(t, true, scaled, ptolemy, riders...);
+  return internal::flip_to_delaunay(t, true, scaled, ptolemy_diagonal<double>, riders...);
 }
 
 } } // namespace CGAL::Quartic_differentials

@@ -43,6 +43,10 @@ struct Homology_basis
 /// Complexity: O(n log n + g n + g^3).
 Homology_basis homology_basis(const Intrinsic_triangulation& t);
 
+/// the crossings of the edges of the triangulation on which a basis was computed with its canonical classes: what
+/// `cochains` was before it rode along flips.
+Integer_cochains cochains_of_loops(const Homology_basis& basis, std::size_t edges);
+
 /// the intersection numbers of loops of the dual graph, exactly: J_kl = integral of eta_k along gamma_l's left side.
 /// \param cochains dual to the loops
 Eigen::MatrixXi intersection_numbers(const Intrinsic_triangulation& t, const Integer_cochains& cochains,

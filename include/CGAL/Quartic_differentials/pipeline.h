@@ -40,6 +40,9 @@ struct Quartic_differential_options
   Legalization_options legalization;
   Distortion_options   distortion;
   Cone_metric_options  cone_metric;
+  /// binary digits of the flat metric, its holonomy and its layout, 64 to 1024; 0: a double's, and 128 where they are not
+  /// enough
+  int                  precision = 0;
   Immersion_options    immersion;
 };
 
@@ -57,6 +60,7 @@ struct Quartic_differential_result
   std::optional<Exact_cone_metric>    metric;         ///< step 6
   Divisor                             singularities;  ///< the final divisor, on the faces of the input
   std::optional<Refined_cone_metric>  refined_metric; ///< the flat triangulation and the input
+  std::optional<Precision_report>     precision;      ///< of the flat metric that is laid out
   std::optional<Quartic_differential> differential;   ///< step 7, on the flat triangulation
   std::optional<Refined_surface>      refined;        ///< the same on the input, subdivided; if that is embedded
   Immersion_report                    immersion;

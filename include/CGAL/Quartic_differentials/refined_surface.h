@@ -10,6 +10,8 @@
 #include <CGAL/Quartic_differentials/Quartic_differential.h>
 #include <CGAL/Quartic_differentials/cone_metric.h>
 #include <CGAL/Quartic_differentials/divisor.h>
+#include <CGAL/Quartic_differentials/internal/Construction.h>
+#include <CGAL/Quartic_differentials/internal/cone_insertion.h>
 
 #include <array>
 #include <complex>
@@ -26,11 +28,14 @@ namespace Quartic_differentials {
 /// A flat metric on the flat triangulation C, with the common refinement of the input and C.
 struct Refined_cone_metric
 {
-  Intrinsic_triangulation triangulation;   ///< C, with unscaled lengths
-  std::vector<double>     lengths;         ///< by edge of C, in the flat metric
-  Common_refinement       refinement;      ///< of A and C
-  std::vector<Face>       input_face;      ///< by face of A: the face of the input it is part of
-  double                  max_curvature_error;   ///< radians
+  Intrinsic_triangulation      triangulation;   ///< C, with unscaled lengths
+  Integer_cochains             cochains;        ///< the homology basis on C
+  std::vector<double>          lengths;         ///< by edge of C, in the flat metric
+  Common_refinement            refinement;      ///< of A and C
+  std::vector<Face>            input_face;      ///< by face of A: the face of the input it is part of
+  Precision_report             precision;       ///< of `lengths`
+  internal::Construction       construction;    ///< how C was made, to do it again in another number type
+  internal::Length_derivatives derivatives;     ///< of the logarithms of the lengths of C by the positions of the cones
 };
 
 /// computes the flat triangulation of a cone metric anew, from the input with the cones inserted, with the common
@@ -38,10 +43,11 @@ struct Refined_cone_metric
 ///
 /// C is the triangulation of `metric` but for ties and rounding; the flow's own detours leave no trace.
 /// \param input the surface of which `metric` is a conformal flat metric
+/// \param cochains a homology basis on `input`
 /// \param divisor its cones, on the faces of `input`
 /// Complexity: O(n log n), linear in the crossings.
-Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, const Divisor& divisor,
-                                        const Cone_metric& metric);
+Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, const Integer_cochains& cochains,
+                                        const Divisor& divisor, const Cone_metric& metric);
 
 /// The input surface, subdivided by the edges of the flat triangulation, as a quartic differential: its triangulation is
 /// embedded, its triangles lie in faces of the input and of C, and it is the differential of C on all of them.

@@ -69,7 +69,7 @@ Point_inserter::Point_inserter(const Intrinsic_triangulation& t) : m_t(t), m_spl
 Point_inserter::Inserted Point_inserter::insert(const Surface_point& p)
 {
   const auto frame = m_t.unfolded(p.face);
-  std::vector<Face_piece>& pieces = m_pieces.try_emplace(p.face, 1, Face_piece{p.face, frame}).first->second;
+  std::vector<Face_piece>& pieces = m_pieces.try_emplace(p.face, 1, Face_piece{p.face, frame, {0, 1, 2}}).first->second;
   const Complex z = point_in_frame(frame, p.barycentric);
   const auto [k, b] = piece_at(pieces, z);
   const Face_piece whole = pieces[k];
@@ -78,14 +78,19 @@ Point_inserter::Inserted Point_inserter::insert(const Surface_point& p)
   pieces.erase(pieces.begin() + k);
   for (int c = 0; c < 3; ++c) {
     // the face of the rim halfedge v_c v_(c+1); its corners are numbered from its own first halfedge
-    Face_piece piece{m_split.face(insertion.rim[c]), {}};
+    Face_piece piece{m_split.face(insertion.rim[c]), {}, {}};
     const int first = m_split.corner(insertion.rim[c]);
-    piece.corner[first] = whole.corner[c];
-    piece.corner[(first + 1) % 3] = whole.corner[(c + 1) % 3];
-    piece.corner[(first + 2) % 3] = z;
+    const auto set = [&](int k, Complex corner, int name) {
+      piece.corner[(first + k) % 3] = corner;
+      piece.name[(first + k) % 3] = name;
+    };
+    set(0, whole.corner[c], whole.name[c]);
+    set(1, whole.corner[(c + 1) % 3], whole.name[(c + 1) % 3]);
+    set(2, z, 3 + m_inserted);
     pieces.push_back(piece);
   }
-  return {insertion, std::arg(whole.corner[0] - z)};
+  ++m_inserted;
+  return {insertion, std::arg(whole.corner[0] - z), whole.name};
 }
 
 Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor)
@@ -103,34 +108,32 @@ Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_coch
       result.frozen.push_back(true);
       continue;
     }
-    const auto [insertion, angle] = inserter.insert(p);
+    const Point_inserter::Inserted inserted = inserter.insert(p);
+    const Intrinsic_triangulation::Insertion& insertion = inserted.insertion;
     result.cochains.after_insertion(inserter.triangulation(), insertion);
     result.cones.push_back(insertion.vertex);
     result.frozen.push_back(divisor[i].pinned);
-    if (!divisor[i].pinned) result.frames.add({insertion.vertex, insertion.spoke[0], angle});
+    if (!divisor[i].pinned) result.frames.add({static_cast<int>(i), insertion.spoke[0], inserted.angle});
   }
   result.triangulation = inserter.triangulation();
   make_delaunay(result.triangulation, result.cochains, result.frames);
   return result;
 }
 
-Length_derivatives::Length_derivatives(const Inserted_cones& inserted) : m_row(inserted.triangulation.number_of_edges())
+Length_derivatives::Length_derivatives(const Intrinsic_triangulation& t, const Cone_frames& frames)
+  : m_row(t.number_of_edges())
 {
-  const Intrinsic_triangulation& t = inserted.triangulation;
-  auto frame = inserted.frames.frames().begin();
-  for (std::size_t i = 0; i < inserted.cones.size(); ++i) {
-    if (inserted.frozen[i]) continue;
-    double angle = frame->angle;
-    Halfedge h = frame->reference;
+  for (const Cone_frame& frame : frames.frames()) {
+    double angle = frame.angle;
+    Halfedge h = frame.reference;
     do {
       const Eigen::Vector2d derivative = -Eigen::Vector2d(std::cos(angle), std::sin(angle)) / t.length(h);
       Row& row = m_row[t.edge(h)];
-      if (!row.empty() && row.back().first == static_cast<int>(i)) row.back().second += derivative;   // a loop at the cone
-      else row.emplace_back(static_cast<int>(i), derivative);
+      if (!row.empty() && row.back().first == frame.singularity) row.back().second += derivative;   // a loop at the cone
+      else row.emplace_back(frame.singularity, derivative);
       angle += angle_at_source(t, h);
       h = t.next_around_source(h);
-    } while (h != frame->reference);
-    ++frame;
+    } while (h != frame.reference);
   }
 }
 
@@ -147,6 +150,44 @@ void Length_derivatives::before_flip(const Intrinsic_triangulation& t, const Edg
       else sum.emplace(at, i, factor * derivative);
     }
   m_row[f.edge] = std::move(sum);
+}
+
+// dT_k = Sum_f omega_k(h0) dtheta_1 - omega_k(h2) dtheta_2 with omega harmonic in the flat metric, and
+// dtheta_i = (cot theta_j + cot theta_k) lambda_jk - cot theta_j lambda_ij - cot theta_k lambda_ik (METHOD, step 6).
+Eigen::MatrixXd turning_derivative(const Intrinsic_triangulation& t, const std::vector<double>& angles,
+                                   const Length_derivatives& lambda, std::size_t cones, const Harmonic_1_forms& omega)
+{
+  Eigen::MatrixXd j = Eigen::MatrixXd::Zero(omega.size(), 2 * cones);
+  for (Face f : t.faces()) {
+    const auto h = t.halfedges(f);
+    if (lambda[t.edge(h[0])].empty() && lambda[t.edge(h[1])].empty() && lambda[t.edge(h[2])].empty()) continue;
+    const double c[3] = {1 / std::tan(angles[h[0]]), 1 / std::tan(angles[h[1]]), 1 / std::tan(angles[h[2]])};
+    const double dtheta_1[3] = {-c[0], -c[2], c[2] + c[0]}, dtheta_2[3] = {c[0] + c[1], -c[1], -c[0]};
+    const Eigen::VectorXd omega_0 = omega.row(h[0]), omega_2 = omega.row(h[2]);
+    for (int k = 0; k < 3; ++k)
+      for (const auto& [i, derivative] : lambda[t.edge(h[k])])
+        j.middleCols(2 * i, 2) += (omega_0 * dtheta_1[k] - omega_2 * dtheta_2[k]) * derivative.transpose();
+  }
+  return j;
+}
+
+Eigen::VectorXd curvature_change(const Intrinsic_triangulation& t, const std::vector<double>& angles,
+                                 const Length_derivatives& lambda, const Eigen::VectorXd& displacement)
+{
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(t.number_of_vertices());
+  for (Face f : t.faces()) {
+    const auto h = t.halfedges(f);
+    double dlog[3] = {0, 0, 0}, cot[3];
+    for (int k = 0; k < 3; ++k)
+      for (const auto& [i, derivative] : lambda[t.edge(h[k])]) dlog[k] += derivative.dot(displacement.segment<2>(2 * i));
+    if (dlog[0] == 0 && dlog[1] == 0 && dlog[2] == 0) continue;
+    for (int k = 0; k < 3; ++k) cot[k] = 1 / std::tan(angles[h[k]]);
+    for (int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      change[t.source(h[k])] -= (cot[i] + cot[j]) * dlog[i] - cot[i] * dlog[k] - cot[j] * dlog[j];   // dtheta at source(h_k)
+    }
+  }
+  return change;
 }
 
 } } } // namespace CGAL::Quartic_differentials::internal

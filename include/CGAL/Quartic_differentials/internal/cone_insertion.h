@@ -8,6 +8,7 @@
 #include <CGAL/Quartic_differentials/Integer_cochains.h>
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
 #include <CGAL/Quartic_differentials/divisor.h>
+#include <CGAL/Quartic_differentials/holomorphic_forms.h>
 
 #include <Eigen/Core>
 
@@ -25,7 +26,7 @@ namespace internal {
 /// was inserted in. Follows its halfedge through Euclidean flips.
 struct Cone_frame
 {
-  Vertex   cone;
+  int      singularity;   ///< its number in the divisor
   Halfedge reference;
   double   angle;
 };
@@ -46,6 +47,7 @@ struct Face_piece
 {
   Face                                face;
   std::array<std::complex<double>, 3> corner;
+  std::array<int, 3>                  name;     ///< k: corner k of the whole face; 3 + i: the i-th point of the inserter
 };
 
 /// Inserts points in the faces of a triangulation, also several in one face.
@@ -59,6 +61,7 @@ public:
   {
     Intrinsic_triangulation::Insertion insertion;
     double                             angle;   ///< the direction of spoke[0] in the frame of the face of t
+    std::array<int, 3>                 end;     ///< where the spokes end, named as in `Face_piece`
   };
   /// \param p in a face of t
   Inserted insert(const Surface_point& p);
@@ -71,6 +74,7 @@ public:
 private:
   const Intrinsic_triangulation&          m_t;
   Intrinsic_triangulation                 m_split;
+  int                                     m_inserted = 0;
   std::vector<Face>                       m_original;
   std::map<Face, std::vector<Face_piece>> m_pieces;   // of the faces of t that were split
 };
@@ -82,7 +86,7 @@ struct Inserted_cones
   Integer_cochains        cochains;
   std::vector<Vertex>     cones;    ///< by singularity
   std::vector<char>       frozen;   ///< by singularity: pinned, or at a vertex that was there before
-  Cone_frames             frames;   ///< of the cones that are not frozen, in their order
+  Cone_frames             frames;   ///< of the cones that are not frozen
 };
 
 /// \throws Infeasible_divisor_error if two singularities take the same vertex
@@ -100,13 +104,23 @@ public:
 
   Length_derivatives() = default;
   /// moving a cone p by delta changes the length of its spokes only: lambda_e = -<e, delta> / l_e, e the unit direction
-  explicit Length_derivatives(const Inserted_cones& inserted);
+  Length_derivatives(const Intrinsic_triangulation& t, const Cone_frames& frames);
 
   const Row& operator[](Edge e) const { return m_row[e]; }
   void before_flip(const Intrinsic_triangulation& t, const Edge_flip& flip);
 private:
   std::vector<Row> m_row;
 };
+
+/// the derivative of the turning numbers T by the positions of the cones where the curvatures are held: 2g rows, columns
+/// (x, y) of the frame of a singularity's face; zero where it is frozen. (METHOD, step 6)
+/// \param angles of the metric; \param omega harmonic in it, in the classes of the loops
+Eigen::MatrixXd turning_derivative(const Intrinsic_triangulation& t, const std::vector<double>& angles,
+                                   const Length_derivatives& lambda, std::size_t cones, const Harmonic_1_forms& omega);
+
+/// the change of the curvatures by displacements of the cones (x, y by singularity) where the scales are held
+Eigen::VectorXd curvature_change(const Intrinsic_triangulation& t, const std::vector<double>& angles,
+                                 const Length_derivatives& lambda, const Eigen::VectorXd& displacement);
 
 } } } // namespace CGAL::Quartic_differentials::internal
 

@@ -33,6 +33,15 @@ inline std::complex<double> point_in_frame(const std::array<std::complex<double>
   return b[0] * corner[0] + b[1] * corner[1] + b[2] * corner[2];
 }
 
+/// the point with no barycentric coordinate below `least`, up to their normalisation
+inline Surface_point moved_inside(Surface_point p, double least)
+{
+  double sum = 0;
+  for (double& b : p.barycentric) sum += (b = std::max(b, least));
+  for (double& b : p.barycentric) b /= sum;
+  return p;
+}
+
 /// Where a straight walk ended.
 struct Walk_end
 {
