@@ -144,23 +144,68 @@ void print_paper_row(const Paper_times& paper)
             paper.genus, [&](const std::string& column) { return median_of({times}, column); }, "–");
 }
 
-void measure(const Subject& subject, int number_of_runs)
+Intrinsic_triangulation finer(Intrinsic_triangulation t, int subdivisions)
+{
+  if (subdivisions == 0) return t;
+  if (!t.is_embedded()) throw Error("only surfaces in space can be subdivided here");
+  Mesh mesh = t.mesh();
+  for (int i = 0; i < subdivisions; ++i) mesh = subdivided(mesh);
+  return Intrinsic_triangulation(std::move(mesh));
+}
+
+Subject finer_subject(const Subject& subject, int subdivisions)
+{
+  return {subject.name + ", subdivided " + std::to_string(subdivisions),
+          [load = subject.load, subdivisions] { return finer(load(), subdivisions); }};
+}
+
+struct Measured
+{
+  std::size_t                   faces;
+  std::map<std::string, double> medians;   // by column
+};
+
+Measured measure(const Subject& subject, int number_of_runs)
 {
   const Intrinsic_triangulation t = subject.load();
   std::vector<Run> runs;
   for (int i = 0; i < number_of_runs; ++i) runs.push_back(run_once(subject));
+  Measured result{t.number_of_faces(), {}};
+  for (const std::string& column : columns) result.medians[column] = median_of(runs, column);
   print_row(subject.name, std::to_string(t.number_of_vertices()), std::to_string(t.number_of_faces()), t.genus(),
-            [&](const std::string& column) { return median_of(runs, column); }, cell(peak_mebibytes()));
+            [&](const std::string& column) { return result.medians[column]; }, cell(peak_mebibytes()));
   if (const Paper_times* paper = paper_times_of(subject.name, t.genus())) print_paper_row(*paper);
+  return result;
+}
+
+// p in time ~ faces^p
+void print_exponents(const Measured& coarse, const Measured& fine, int genus)
+{
+  const double ratio = std::log(static_cast<double>(fine.faces) / static_cast<double>(coarse.faces));
+  print_row("*growth exponent*", "–", "–", genus, [&](const std::string& column) {
+    return std::log(fine.medians.at(column) / coarse.medians.at(column)) / ratio;
+  }, "–");
+}
+
+// The surface, then its triangles split into four, once more and so on, with the growth from each to the next.
+void measure_growth(const Subject& subject, int number_of_runs, int subdivisions)
+{
+  Measured coarse = measure(subject, number_of_runs);
+  const int genus = subject.load().genus();
+  for (int i = 1; i <= subdivisions; ++i) {
+    const Measured fine = measure(finer_subject(subject, i), number_of_runs);
+    print_exponents(coarse, fine, genus);
+    coarse = fine;
+  }
 }
 
 // In a process of its own, so that the peak memory is that of this surface alone. Returns whether it ended well.
-bool measure_apart(const Subject& subject, int number_of_runs)
+bool measure_apart(const Subject& subject, int number_of_runs, int growth)
 {
   const pid_t child = fork();
   if (child == 0) {
     try {
-      measure(subject, number_of_runs);
+      measure_growth(subject, number_of_runs, growth);
       _exit(EXIT_SUCCESS);
     } catch (const std::exception& e) {
       std::cerr << subject.name << ": " << e.what() << std::endl;
@@ -169,15 +214,6 @@ bool measure_apart(const Subject& subject, int number_of_runs)
   }
   int status = 0;
   return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS;
-}
-
-Intrinsic_triangulation finer(Intrinsic_triangulation t, int subdivisions)
-{
-  if (subdivisions == 0) return t;
-  if (!t.is_embedded()) throw Error("only surfaces in space can be subdivided here");
-  Mesh mesh = t.mesh();
-  for (int i = 0; i < subdivisions; ++i) mesh = subdivided(mesh);
-  return Intrinsic_triangulation(std::move(mesh));
 }
 
 Subject from_file(const std::string& path)
@@ -203,11 +239,13 @@ int main(int argc, char** argv)
 {
   CLI::App app{"Times the pipeline from the file to the T-mesh, in seconds: medians of several runs."};
   std::vector<std::string> meshes;
-  int number_of_runs = 3, subdivisions = 0;
+  int number_of_runs = 3, subdivisions = 0, growth = 0;
   app.add_option("MESH", meshes, "Closed meshes; none: generated surfaces of growing size");
   app.add_option("-n,--runs", number_of_runs, "Number of runs, of which the median is printed (3)")
      ->check(CLI::Range(1, 1000));
   app.add_option("--subdivide", subdivisions, "How often each triangle is split into four first (0)")
+     ->check(CLI::Range(0, 8));
+  app.add_option("--growth", growth, "How often the triangles are split once more, with the growth of the times (0)")
      ->check(CLI::Range(0, 8));
   CLI11_PARSE(app, argc, argv);
 
@@ -224,11 +262,8 @@ int main(int argc, char** argv)
   print_header();
   bool all_well = true;
   for (Subject& subject : subjects) {
-    if (subdivisions > 0) {
-      subject.name += ", subdivided " + std::to_string(subdivisions);
-      subject.load = [load = subject.load, subdivisions] { return finer(load(), subdivisions); };
-    }
-    all_well = measure_apart(subject, number_of_runs) && all_well;
+    if (subdivisions > 0) subject = finer_subject(subject, subdivisions);
+    all_well = measure_apart(subject, number_of_runs, growth) && all_well;
   }
   return all_well ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -5,6 +5,7 @@
 #include <CGAL/Quartic_differentials/Common_refinement.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -216,6 +217,27 @@ void Common_refinement::link(Edge a, Crossing_id from, Crossing_id to)
   if (from.is_none()) m_first[a] = to;
   else at(from).next = to;
   if (!to.is_none()) at(to).prev = from;
+}
+
+std::size_t Common_refinement::crossings_after(const Edge_flip& flip) const
+{
+  return Quadrilateral(*this, from_first_halfedge(flip)).arcs_across_new_diagonal().size();
+}
+
+// P = p0 v + p1 w = sigma0 m + sigma1 n, and v = exp(-u_v) (exp(u_v) v) (METHOD, step 7, "The map on the input surface")
+void Common_refinement::rescale(const Intrinsic_triangulation& c, const std::vector<double>& u)
+{
+  for (Edge e : c.edges()) {
+    const Halfedge h = first_halfedge(e);
+    const double u_v = u[c.source(h)], u_w = u[c.target(h)];
+    for (Crossing& x : m_crossings[e]) {
+      const Halfedge a = first_halfedge(x.a);
+      const double u_m = u[m_a.source(a)], u_n = u[m_a.target(a)];
+      const double scale = 1 / (x.p[0] + x.p[1] * std::exp(u_v - u_w));   // times exp(u_v)
+      x.p = {x.p[0] * scale, x.p[1] * std::exp(u_v - u_w) * scale};
+      x.sigma = {x.sigma[0] * std::exp(u_v - u_m) * scale, x.sigma[1] * std::exp(u_v - u_n) * scale};
+    }
+  }
 }
 
 void Common_refinement::before_flip(const Intrinsic_triangulation& c, const Edge_flip& given)

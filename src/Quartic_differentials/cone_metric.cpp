@@ -237,7 +237,7 @@ Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Inte
   result.history.assign(1, largest(defect));
 
   for (int iteration = 0; iteration < options.outer_iterations && !divisor.empty(); ++iteration) {
-    if (result.history.back() <= options.holonomy_tolerance || !flow.metric.flow.reached()) break;
+    if (result.history.back() <= options.holonomy_tolerance || !flow.metric.flow.is_near()) break;
     Eigen::MatrixXd j = jacobian(flow, laplacian);
     if (!has_full_rank(j)) {
       if (!move_off_vertices(flow.frozen, result.divisor))
@@ -255,7 +255,7 @@ Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Inte
       move_cones(t, step * full_step, tried, moved_by);
       Flow tried_flow = flow_of(t, cochains, tried, &flow.metric, laplacian, options, visitor);
       const Eigen::VectorXd tried_defect = quarter_turn_defects(turning(tried_flow));
-      accepted = tried_flow.metric.flow.reached() && tried_defect.norm() < defect.norm();
+      accepted = tried_flow.metric.flow.is_near() && tried_defect.norm() < defect.norm();
       if (!accepted) continue;
       result.divisor = tried;
       result.moved_by = moved_by;

@@ -6,6 +6,7 @@
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/cone_insertion.h>
+#include <CGAL/Quartic_differentials/internal/flip_towards_input.h>
 #include <CGAL/Quartic_differentials/internal/flat_metric_errors.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/refined_surface.h>
@@ -42,7 +43,7 @@ std::array<double, 3> barycentric_in_space(const Point_3& p, const Point_3& a, c
 }
 
 // Fills in where the corners are on the input.
-void place_on_input(const Intrinsic_triangulation& input, Refined_surface& r)
+void place_corners_on_input(const Intrinsic_triangulation& input, Refined_surface& r)
 {
   const Intrinsic_triangulation& t = r.differential.triangulation;
   r.input_corner.resize(t.number_of_halfedges());
@@ -80,13 +81,10 @@ private:
 };
 
 // The positions along a C edge of its crossings, between 0 and 1, moved apart to a least gap where they are nearer.
-std::vector<double> positions_along(const std::vector<Crossing>& crossings, double u_source, double u_target,
-                                    double least_gap)
+std::vector<double> positions_along(const std::vector<Crossing>& crossings, double least_gap)
 {
   std::vector<double> t;
-  // in the flat metric, which is projective on the edge (METHOD, step 7); only the difference of the scales matters
-  const double scale = std::exp(u_source - u_target);
-  for (const Crossing& x : crossings) t.push_back(x.p[1] * scale / (x.p[0] + x.p[1] * scale));
+  for (const Crossing& x : crossings) t.push_back(x.position_on_c());
   const double n = static_cast<double>(t.size()), gap = std::min(least_gap, 0.5 / (n + 1));
   for (std::size_t i = 0; i < t.size(); ++i)
     t[i] = std::max(t[i], (i == 0 ? 0 : t[i - 1]) + gap);
@@ -109,14 +107,13 @@ double altitude(Grid_vector a, Grid_vector b, Grid_vector c)
 }
 
 // The grid points of the crossings, by edge of C, in the chart of the face of its first halfedge.
-std::vector<std::vector<Grid_vector>> crossing_points(const Refined_cone_metric& metric, const std::vector<double>& u,
-                                                      const Quartic_differential& flat)
+std::vector<std::vector<Grid_vector>> crossing_points(const Common_refinement& refinement, const Quartic_differential& flat)
 {
-  const Intrinsic_triangulation& c = metric.triangulation;
+  const Intrinsic_triangulation& c = flat.triangulation;
   const double separation = 32;   // grid units, of the altitudes of the triangles between neighbouring points
   std::vector<std::vector<Grid_vector>> points(c.number_of_edges());
   for (Edge e : c.edges()) {
-    const std::vector<Crossing>& crossings = metric.refinement.crossings(e);
+    const std::vector<Crossing>& crossings = refinement.crossings(e);
     if (crossings.empty()) continue;
     const Halfedge h = c.halfedge(e), o = c.opposite(h);
     const auto apex_distance = [&](Halfedge k) {
@@ -124,10 +121,32 @@ std::vector<std::vector<Grid_vector>> crossing_points(const Refined_cone_metric&
     };
     const double least_gap = separation / std::max(std::min(apex_distance(h), apex_distance(o)), 1.0);
     const Grid_vector begin = flat.corner[h], end = flat.corner[c.next(h)];
-    for (double t : positions_along(crossings, u[c.source(h)], u[c.target(h)], least_gap))
-      points[e].push_back(on_segment(begin, end, t));
+    for (double t : positions_along(crossings, least_gap)) points[e].push_back(on_segment(begin, end, t));
   }
   return points;
+}
+
+// Where a crossing in the flat metric is on its A edge in space.
+Point_3 place_on_input(const Intrinsic_triangulation& a, const std::vector<double>& u, const Crossing& x)
+{
+  const Halfedge h = first_halfedge(x.a);
+  const Vertex m = a.source(h), n = a.target(h);
+  const double ratio = std::exp(u[n] - u[m]);   // only this matters
+  const double s = x.sigma[1] * ratio / (x.sigma[0] + x.sigma[1] * ratio);
+  const Point_3 &p = a.mesh().point(m), &q = a.mesh().point(n);
+  return p + s * (q - p);
+}
+
+// The flat surface with the lengths its edges have in the plane, in grid units.
+Quartic_differential in_the_plane(Quartic_differential flat)
+{
+  std::vector<double> lengths;
+  for (Edge e : flat.triangulation.edges()) {
+    const Halfedge h = flat.triangulation.halfedge(e);
+    lengths.push_back(length(flat.corner[flat.triangulation.next(h)] - flat.corner[h]));
+  }
+  flat.triangulation.set_lengths(std::move(lengths));
+  return flat;
 }
 
 // Cuts a polygon into triangles, from the corner pair that leaves the largest least altitude; polygons of cells have at
@@ -224,12 +243,16 @@ Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, co
 }
 
 Refined_surface refined_surface(const Intrinsic_triangulation& input, const Refined_cone_metric& metric,
-                                const std::vector<double>& u, const Quartic_differential& flat)
+                                const std::vector<double>& u, const Quartic_differential& delaunay)
 {
-  const Intrinsic_triangulation &c = metric.triangulation, &a = metric.refinement.input();
-  const Common_refinement& refinement = metric.refinement;
+  Common_refinement refinement = metric.refinement;
+  Quartic_differential flat = in_the_plane(delaunay);
+  refinement.rescale(flat.triangulation, u);
+  internal::flip_towards_input(refinement, flat);
+
+  const Intrinsic_triangulation &c = flat.triangulation, &a = refinement.input();
   const Refined_vertices vertex(c, refinement);
-  const std::vector<std::vector<Grid_vector>> points = crossing_points(metric, u, flat);
+  const std::vector<std::vector<Grid_vector>> points = crossing_points(refinement, flat);
   const auto grid_point = [&](const Cell_corner& k) {
     if (k.crossing.is_none()) return flat.corner[k.c];
     const Grid_vector z = points[k.crossing.edge][k.crossing.rank];
@@ -239,11 +262,7 @@ Refined_surface refined_surface(const Intrinsic_triangulation& input, const Refi
   Mesh mesh;
   for (Vertex v : a.vertices()) mesh.add_vertex(a.mesh().point(v));
   for (Edge e : c.edges())
-    for (const Crossing& x : refinement.crossings(e)) {
-      const Halfedge h = first_halfedge(x.a);
-      const Point_3 &p = a.mesh().point(a.source(h)), &q = a.mesh().point(a.target(h));
-      mesh.add_vertex(p + x.position_on_a() * (q - p));
-    }
+    for (const Crossing& x : refinement.crossings(e)) mesh.add_vertex(place_on_input(a, u, x));
 
   Refined_surface result;
   const Refinement_cells cells(refinement, c);
@@ -290,7 +309,7 @@ Refined_surface refined_surface(const Intrinsic_triangulation& input, const Refi
       q.transition[h[k]] = transitions[f.idx()][k];
     }
   }
-  place_on_input(input, result);
+  place_corners_on_input(input, result);
   return result;
 }
 

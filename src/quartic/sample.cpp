@@ -7,6 +7,7 @@
 #include <CGAL/Quartic_differentials/IO/surface_json.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
+#include <CGAL/Quartic_differentials/spoiled_surfaces.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
@@ -27,6 +28,9 @@ struct Sample_options
   std::string kind, file;
   int         genus = 2, resolution = 0, subdivisions = -1;   // out of range: the default of the kind
   double      R = 2, r = 1;
+  double      stretch = 1, noise = 0, slivers = 0;
+  int         hub = 0;
+  unsigned    seed = 1;
 };
 
 void say(const Sample_options& options, const Intrinsic_triangulation& t)
@@ -60,10 +64,20 @@ Mesh embedded(const Sample_options& options)
   return mesh;
 }
 
+// The surface with whatever is asked for to make it bad.
+Mesh spoiled(Mesh mesh, const Sample_options& options)
+{
+  if (options.noise > 0) mesh = noisy(std::move(mesh), options.noise, options.seed);
+  if (options.hub > 0) mesh = with_hub(mesh, options.hub);
+  if (options.slivers > 0) mesh = with_slivers(std::move(mesh), options.slivers, options.seed);
+  return options.stretch == 1 ? mesh : stretched(std::move(mesh), options.stretch);
+}
+
 void write_embedded(const Sample_options& options)
 {
-  Mesh mesh = embedded(options);
-  if (!CGAL::IO::write_polygon_mesh(options.file, mesh, CGAL::parameters::stream_precision(12).verbose(false)))
+  Mesh mesh = spoiled(embedded(options), options);
+  const int digits = options.slivers > 0 ? 17 : 12;   // slivers need them all
+  if (!CGAL::IO::write_polygon_mesh(options.file, mesh, CGAL::parameters::stream_precision(digits).verbose(false)))
     throw Error(options.file + " cannot be written: its name should end in .off, .obj, .ply or .stl, in a folder that exists");
   say(options, Intrinsic_triangulation(std::move(mesh)));
 }
@@ -112,5 +126,16 @@ void add_sample(CLI::App& app)
          ->check(CLI::Range(0, 8));
   command->add_option("-R", options->R, "Radius of the torus (2)")->check(CLI::PositiveNumber);
   command->add_option("-r", options->r, "Radius of the circle that makes the torus (1)")->check(CLI::PositiveNumber);
+  const std::string spoil = "To make it bad";
+  command->add_option("--noise", options->noise, "Move every vertex at random by up to this part of the mean edge length")
+         ->check(CLI::Range(0.0, 10.0))->group(spoil);
+  command->add_option("--hub", options->hub, "Put a vertex of this valence into a face")
+         ->check(CLI::Range(3, 100000))->group(spoil);
+  command->add_option("--slivers", options->slivers,
+                      "Split one face in five near an edge, at this part of the altitude")
+         ->check(CLI::Range(1e-12, 0.5))->group(spoil);
+  command->add_option("--stretch", options->stretch, "Stretch the surface along the x axis by this factor")
+         ->check(CLI::PositiveNumber)->group(spoil);
+  command->add_option("--seed", options->seed, "Seed of noise and slivers (1)")->group(spoil);
   command->callback([options] { sample(*options); });
 }

@@ -14,6 +14,7 @@
 #include <CGAL/Quartic_differentials/pipeline.h>
 #include <CGAL/Quartic_differentials/precise_cone_metric.h>
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
+#include <CGAL/Quartic_differentials/spoiled_surfaces.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -132,7 +133,7 @@ struct Listener : Visitor
 
 void test_retry()
 {
-  const Intrinsic_triangulation input(Quartic_test::stretched(handle_chain(2, 6), 100));
+  const Intrinsic_triangulation input(stretched(handle_chain(2, 6), 100));
   Listener listener;
   Quartic_differential_result r;
   quartic_differential(input, std::nullopt, {}, listener, r);

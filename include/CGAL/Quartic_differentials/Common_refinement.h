@@ -49,9 +49,9 @@ struct Crossing
   std::array<double, 2> p;          ///< weights of the ends of the C edge, directed like its first halfedge
   std::array<double, 2> sigma;      ///< weights of the ends of the A edge
 
-  /// position along the A edge, between 0 and 1
+  /// position along the A edge, between 0 and 1, in the metric of the flips (see `Common_refinement::rescale()`)
   double position_on_a() const { return sigma[1] / (sigma[0] + sigma[1]); }
-  /// position along the C edge, between 0 and 1, if all flips were Euclidean
+  /// position along the C edge, between 0 and 1, in the metric of the flips (see `Common_refinement::rescale()`)
   double position_on_c() const { return p[1] / (p[0] + p[1]); }
 };
 
@@ -74,6 +74,14 @@ public:
 
   /// \pre `c` is the triangulation that all flips so far have led to
   void before_flip(const Intrinsic_triangulation& c, const Edge_flip& flip);
+
+  /// how many crossings the edge will have after a flip. Complexity: as for the flip.
+  std::size_t crossings_after(const Edge_flip& flip) const;
+
+  /// goes over to lengths exp((u_i + u_j) / 2) l_ij: positions along the edges, those of A too, and flips are in this
+  /// metric then.
+  /// \pre `c` is the triangulation that all flips so far have led to
+  void rescale(const Intrinsic_triangulation& c, const std::vector<double>& u);
 
   const Intrinsic_triangulation& input() const { return m_a; }
   /// moves a vertex of A in space

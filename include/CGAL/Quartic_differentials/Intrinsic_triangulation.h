@@ -13,6 +13,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -110,6 +111,8 @@ public:
   double length(Edge e)     const { return m_length[e]; }
   double length(Halfedge h) const { return m_length[m_mesh.edge(h)]; }
   const std::vector<double>& lengths() const { return m_length; }
+  /// takes the surface to another metric. \pre the triangle inequalities hold
+  void set_lengths(std::vector<double> lengths) { m_length = std::move(lengths); }
 
   /// the positions of the corners of f, unfolded with source(h0) at 0 and target(h0) on the positive real axis
   std::array<std::complex<double>, 3> unfolded(Face f) const;

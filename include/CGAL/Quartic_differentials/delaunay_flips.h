@@ -21,15 +21,27 @@ namespace Quartic_differentials {
 /// flagged and flipping cannot cycle. The same polynomial decides the ideal (Penner) condition. (METHOD, step 6)
 bool certified_not_delaunay(double e, double a, double b, double c, double d);
 
+namespace internal {
+
+inline double norm(double x, double y) { return std::hypot(x, y); }
+
+template <class FT>
+FT norm(const FT& x, const FT& y)
+{
+  using std::sqrt;
+  return sqrt(FT(x * x + y * y));
+}
+
+} // namespace internal
+
 /// the length of the other diagonal of two triangles (e, a, b) and (e, c, d) unfolded into the plane
 /// (a = jk, b = ki, c = il, d = lj, e = ij). Complexity: constant.
 template <class FT>
 FT euclidean_diagonal(const FT& e, const FT& a, const FT& b, const FT& c, const FT& d)
 {
-  using std::sqrt;
-  const FT x = ((b * b - a * a) - (c * c - d * d)) / (2 * e);
-  const FT y = (four_times_area(e, a, b) + four_times_area(e, c, d)) / (2 * e);
-  return sqrt(x * x + y * y);
+  const FT kx = (e * e + b * b - a * a) / (2 * e), ky = four_times_area(e, a, b) / (2 * e);
+  const FT lx = (e * e + c * c - d * d) / (2 * e), ly = four_times_area(e, c, d) / (2 * e);
+  return internal::norm(FT(kx - lx), FT(ky + ly));
 }
 
 /// the same by Ptolemy's rule

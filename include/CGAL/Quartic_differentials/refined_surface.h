@@ -82,6 +82,8 @@ Mesh mesh_with_property_maps(const Refined_surface& refined);
 
 /// subdivides the input along the edges of C.
 ///
+/// First C is flipped back towards A inside its charts, where edges of A are straight in the plane, or nearly so: that
+/// leaves far fewer triangles where the input's are long and thin.
 /// A crossing of two edges lies on its A edge where straight lines of the flat metric cross (in the discrete conformal
 /// map, projective on every triangle), and on the grid point nearest to that place of the C edge, moved along it where
 /// points would come too near each other. On a seam one copy is computed, the other is its exact image. Cells are cut
