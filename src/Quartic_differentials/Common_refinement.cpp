@@ -310,6 +310,82 @@ std::string step_defect(const Common_refinement& r, const Intrinsic_triangulatio
 
 } // namespace
 
+namespace {
+
+// Whether the arcs of A edges in a face of C do not cross: once round its boundary they open and close like parentheses.
+class Arcs_in_face
+{
+public:
+  Arcs_in_face(const Common_refinement& r, const Intrinsic_triangulation& c, Face f)
+    : m_r(r), m_c(c), m_halfedge(c.halfedges(f)) {}
+
+  bool are_disjoint()
+  {
+    bool disjoint = true;
+    for (int k = 0; k < 3 && disjoint; ++k) disjoint = pass_corner(k) && pass_side(k);
+    return disjoint && m_open.empty();
+  }
+
+private:
+  // The end of an open arc that is still to come: a crossing on a side, or a corner. Arcs from a corner wait under its
+  // name. Sides are told from each other by number: in a face that is glued to itself two are one edge.
+  struct End
+  {
+    Crossing_id crossing;   // none: the corner
+    int         corner;     // or side
+    friend bool operator==(const End& x, const End& y) { return x.crossing == y.crossing && x.corner == y.corner; }
+  };
+
+  // arcs between corner k and the side opposite to it
+  std::size_t arcs_at_corner(int k) const
+  {
+    const Halfedge h = m_halfedge[(k + 1) % 3];
+    const auto& crossings = m_r.crossings(m_c.edge(h));
+    return std::count_if(crossings.begin(), crossings.end(),
+                         [&](const Crossing& x) { return m_r.step(x, h).to.is_none(); });
+  }
+
+  bool close(const End& end)
+  {
+    if (m_open.empty() || !(m_open.back() == end)) return false;
+    m_open.pop_back();
+    return true;
+  }
+
+  // the side opposite to corner 2 comes before it, those opposite to corners 0 and 1 after them
+  bool pass_corner(int k)
+  {
+    for (std::size_t n = arcs_at_corner(k); n > 0; --n) {
+      if (k < 2) m_open.push_back({Crossing_id(), k});
+      else if (!close({Crossing_id(), k})) return false;
+    }
+    return true;
+  }
+
+  bool pass_side(int k)
+  {
+    const Halfedge h = m_halfedge[k];
+    const Edge e = m_c.edge(h);
+    const std::size_t count = m_r.crossings(e).size();
+    for (std::size_t n = 0; n < count; ++n) {
+      const Crossing_id here{e, static_cast<Mesh::size_type>(is_first_of_its_edge(h) ? n : count - 1 - n)};
+      const Common_refinement::Step step = m_r.step(m_r[here], h);
+      const int corner = (k + 2) % 3;
+      const bool opens = step.to.is_none() ? corner == 2 : m_c.corner(step.at) > k;
+      if (opens) m_open.push_back(step.to.is_none() ? End{Crossing_id(), corner} : End{step.to, m_c.corner(step.at)});
+      else if (!close(step.to.is_none() ? End{Crossing_id(), corner} : End{here, k})) return false;
+    }
+    return true;
+  }
+
+  const Common_refinement&       m_r;
+  const Intrinsic_triangulation& m_c;
+  std::array<Halfedge, 3>        m_halfedge;
+  std::vector<End>               m_open;
+};
+
+} // namespace
+
 std::string Common_refinement::defect(const Intrinsic_triangulation& c) const
 {
   for (Edge e : c.edges()) {
@@ -324,6 +400,9 @@ std::string Common_refinement::defect(const Intrinsic_triangulation& c) const
       }
     }
   }
+
+  for (Face f : c.faces())
+    if (!Arcs_in_face(*this, c, f).are_disjoint()) return numbered("input edges cross each other in current face ", f);
 
   std::size_t accounted_for = 0, reached = 0;
   for (Halfedge a : m_coincident) accounted_for += a != Mesh::null_halfedge();

@@ -107,8 +107,8 @@ public:
   /// follows the A edge through a crossing `x` on `c` into face(c).
   Step step(const Crossing& x, Halfedge c) const;
 
-  /// checks every link against the connectivity of `c`, and returns the first violation as a sentence, or "".
-  /// Complexity: linear in edges and crossings.
+  /// checks every link against the connectivity of `c`, and by the order along the edges that A edges do not cross each
+  /// other; returns the first violation as a sentence, or "". Complexity: linear in edges and crossings.
   std::string defect(const Intrinsic_triangulation& c) const;
 
 private:
