@@ -1,0 +1,429 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/handle_tunnel_basis.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/Lattice_basis.h>
+#include <CGAL/Quartic_differentials/internal/linking_number.h>
+#include <CGAL/Quartic_differentials/internal/tree_cotree.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+#include <boost/multiprecision/eigen.hpp>
+#include <boost/multiprecision/gmp.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+// not cpp_int: Boost 1.74 takes a matrix for a container of bytes to make one from
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using Integer_matrix = Eigen::Matrix<Integer, Eigen::Dynamic, Eigen::Dynamic>;
+using Row_matrix = Integer_cochains::Row_matrix;
+
+// ---- the surface in space
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+// the vertices as points of a kernel with exact predicates
+struct Exact_positions
+{
+  using key_type   = Vertex;
+  using value_type = Kernel::Point_3;
+  using reference  = Kernel::Point_3;
+  using category   = boost::readable_property_map_tag;
+  const Mesh* mesh;
+  friend Kernel::Point_3 get(const Exact_positions& m, Vertex v)
+  {
+    const Point_3& p = m.mesh->point(v);
+    return Kernel::Point_3(p.x(), p.y(), p.z());
+  }
+};
+
+auto exactly(const Mesh& mesh)
+{
+  return CGAL::parameters::vertex_point_map(Exact_positions{&mesh}).geom_traits(Kernel());
+}
+
+// where the surface meets itself, or nothing
+std::string self_intersection(const Intrinsic_triangulation& t)
+{
+  std::optional<std::pair<Face, Face>> pair;
+  const auto keep = boost::make_function_output_iterator([&](const std::pair<Face, Face>& p) { pair = p; });
+  CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(t.faces(), t.mesh(), keep,
+                                                                          exactly(t.mesh()).maximum_number(1));
+  if (!pair) return "";
+  return "the surface meets itself, for example in the triangles " + std::to_string(pair->first.idx()) + " and "
+       + std::to_string(pair->second.idx()) + ": it has no exact inside and outside";
+}
+
+// ---- linking numbers
+
+// The loops gamma_k twice, as sums of segments on the surface: x_k along edges, y_k across faces.
+struct Curves
+{
+  Integer_cochains along;    // by edge: how often x_k runs along the halfedge
+  Integer_cochains across;   // eta_k: how often y_k leaves through the halfedge, at its midpoint
+  Row_matrix       turns;    // by halfedge: how often y_k goes from its midpoint straight to the next one's
+};
+
+Curves curves(const Intrinsic_triangulation& t, const std::vector<std::vector<Halfedge>>& loops)
+{
+  const int n = static_cast<int>(loops.size());
+  Curves c{Integer_cochains(t.number_of_edges(), n), Integer_cochains(t.number_of_edges(), n),
+           Row_matrix::Zero(t.number_of_halfedges(), n)};
+  for (int k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < loops[k].size(); ++i) {
+      const Halfedge in = t.opposite(loops[k][i]), out = loops[k][(i + 1) % loops[k].size()];
+      c.across.add(out, k, 1);
+      if (out == t.next(in)) {   // turning right round target(in), the left side goes backwards along prev(in)
+        c.along.add(t.prev(in), k, -1);
+        c.turns(in.idx(), k) += 1;
+      } else {
+        c.turns(out.idx(), k) -= 1;
+      }
+    }
+  return c;
+}
+
+// The linking numbers of x_k with y_l pushed off by an infinitely small distance along the normals, read off a
+// projection of the curves, which are segments with exact end points on the surface itself.
+//
+// Linking numbers are the sums of the signs of the crossings in which y_l passes over x_k. Where the two curves are
+// apart in space, pushing y_l does not change the crossing. They meet only where y_l leaves a face f through an edge h
+// of x_k. There the projections of both faces of h are injective (this is checked), and
+//   if both faces are seen from outside, y+ passes over h, from its left to its right: sign +1; y- passes under it;
+//   if both are seen from inside, y- passes over h and, seen in the mirror, from its right to its left: sign -1;
+//   if h is a fold of the projection, both faces lie on the same side of its image. At a convex edge y- stays between
+//     the faces and does not cross the image; y+ goes round the edge and crosses it twice, once above: where the face
+//     that is seen from outside is the upper one, in the direction in which that face is left or entered: sign +1.
+//     At a concave edge it is the other way round, and y- passes over h with sign -1.
+// So every meeting contributes to exactly one of V+ and V-, and the difference is V+ - V- = -J in every projection.
+class Linking_form
+{
+public:
+  Linking_form(const Intrinsic_triangulation& t, const std::vector<std::vector<Halfedge>>& loops)
+    : m_t(t), m_curves(curves(t, loops))
+  {
+    for (Edge e : t.edges())
+      if (!m_curves.along.values().row(e.idx()).isZero()) m_edges.push_back(t.halfedge(e));
+    for (Halfedge h : t.halfedges())
+      if (!m_curves.turns.row(h.idx()).isZero()) m_turns.push_back(h);
+    for (Halfedge h : m_edges) m_lower.push_back({point(t.source(h)), point(t.target(h))});
+    for (Halfedge h : m_turns) m_upper.push_back({midpoint(h), midpoint(t.next(h))});
+  }
+
+  // V+ and V-, or nothing if the projection is degenerate
+  std::optional<Linking_matrices> read_off(const internal::Projection& projection) const
+  {
+    for (Halfedge h : m_turns)
+      if (facing(h, projection) == CGAL::ZERO) return std::nullopt;
+    // a face projects injectively: a segment in it crosses none of its edges elsewhere than on the surface
+    const auto in_one_face = [&](std::size_t i, std::size_t k) {
+      const Face f = m_t.face(m_turns[k]);
+      return m_t.face(m_edges[i]) == f || m_t.face(m_t.opposite(m_edges[i])) == f;
+    };
+    const auto crossings = internal::crossings_over(m_lower, m_upper, projection, in_one_face);
+    if (!crossings) return std::nullopt;
+    Eigen::MatrixXi apart = Eigen::MatrixXi::Zero(m_curves.along.size(), m_curves.along.size());
+    for (const internal::Crossing& c : *crossings)
+      apart += c.sign * m_curves.along.row(m_edges[c.lower]).transpose() * m_curves.turns.row(m_turns[c.upper].idx());
+    Linking_matrices v{apart, apart};
+    for (Halfedge h : m_edges) {
+      const Eigen::RowVectorXi across = m_curves.across.row(h);
+      if (across.isZero()) continue;
+      const Eigen::MatrixXi meetings = m_curves.along.row(h).transpose() * across;
+      if (outer_push_passes_over(h, projection)) v.plus += meetings;
+      else                                       v.minus -= meetings;
+    }
+    return v;
+  }
+
+private:
+  internal::Exact_point_3 point(Vertex v) const
+  {
+    const Point_3& p = m_t.mesh().point(v);
+    return internal::Exact_point_3(p.x(), p.y(), p.z());
+  }
+  internal::Exact_point_3 midpoint(Halfedge h) const
+  {
+    return CGAL::midpoint(point(m_t.source(h)), point(m_t.target(h)));
+  }
+
+  // +1 where the face of h is seen from its outer side
+  CGAL::Sign facing(Halfedge h, const internal::Projection& projection) const
+  {
+    return CGAL::orientation(projection(point(m_t.source(h))), projection(point(m_t.target(h))),
+                             projection(point(m_t.target(m_t.next(h)))));
+  }
+
+  bool is_convex(Halfedge h) const
+  {
+    const auto apex = [&](Halfedge k) { return point(m_t.target(m_t.next(k))); };
+    return CGAL::orientation(point(m_t.source(h)), point(m_t.target(h)), apex(h), apex(m_t.opposite(h)))
+        == CGAL::NEGATIVE;
+  }
+
+  bool outer_push_passes_over(Halfedge h, const internal::Projection& projection) const
+  {
+    const CGAL::Sign left = facing(h, projection), right = facing(m_t.opposite(h), projection);
+    return left == right ? left == CGAL::POSITIVE : is_convex(h);
+  }
+
+  const Intrinsic_triangulation&       m_t;
+  Curves                               m_curves;
+  std::vector<Halfedge>                m_edges, m_turns;
+  std::vector<internal::Exact_segment> m_lower, m_upper;
+};
+
+// ---- integer lattices
+
+// Brings m to row echelon form by unimodular row operations (Euclid's algorithm column by column); returns its rank.
+int make_echelon(Integer_matrix& m)
+{
+  int rank = 0;
+  for (int column = 0; column < m.cols() && rank < m.rows(); ++column)
+    for (;;) {
+      int least = -1, nonzero = 0;
+      for (int i = rank; i < m.rows(); ++i)
+        if (m(i, column) != 0) {
+          ++nonzero;
+          if (least < 0 || abs(m(i, column)) < abs(m(least, column))) least = i;
+        }
+      if (nonzero == 0) break;
+      m.row(rank).swap(m.row(least));
+      if (nonzero == 1) { ++rank; break; }
+      for (int i = rank + 1; i < m.rows(); ++i) {
+        const Integer q = m(i, column) / m(rank, column);
+        if (q != 0) m.row(i) -= q * m.row(rank);
+      }
+    }
+  return rank;
+}
+
+// a basis of the lattice that the rows of m span
+Integer_matrix row_lattice(Integer_matrix m)
+{
+  const int rank = make_echelon(m);
+  return m.topRows(rank);
+}
+
+// m^-1, or nothing if m is not unimodular
+std::optional<Integer_matrix> unimodular_inverse(const Integer_matrix& m)
+{
+  const int n = static_cast<int>(m.rows());
+  Integer_matrix both(n, 2 * n);
+  both << m, Integer_matrix::Identity(n, n);
+  make_echelon(both);
+  for (int k = n - 1; k >= 0; --k) {
+    if (abs(both(k, k)) != 1) return std::nullopt;
+    if (both(k, k) < 0) both.row(k) *= Integer(-1);
+    for (int i = 0; i < k; ++i) {
+      const Integer q = both(i, k);
+      if (q != 0) both.row(i) -= q * both.row(k);
+    }
+  }
+  return Integer_matrix(both.rightCols(n));
+}
+
+// a basis of the same lattice with small coefficients, by rows
+Integer_matrix reduced(const Integer_matrix& basis)
+{
+  const Eigen::MatrixXd rows = basis.unaryExpr([](const Integer& x) { return static_cast<double>(x); });
+  const internal::Lattice_basis lattice(rows * rows.transpose());
+  return lattice.basis().unaryExpr([](std::int64_t x) { return Integer(x); }).transpose() * basis;
+}
+
+Eigen::MatrixXi narrowed(const Integer_matrix& m)
+{
+  return m.unaryExpr([](const Integer& x) {
+    if (abs(x) > std::numeric_limits<short>::max())
+      throw Numerical_error("the handle and tunnel classes have a coefficient beyond 16 bits");
+    return static_cast<int>(x);
+  });
+}
+
+Integer_matrix widened(const Eigen::MatrixXi& m) { return m.unaryExpr([](int x) { return Integer(x); }); }
+
+// ---- the classes
+
+// The rows a_1 .. a_g, b_1 .. b_g with respect to a canonical basis, or nothing if V+ and V- are no linking numbers of
+// an embedded surface. For normals that point outwards:
+//
+// Every class is a sum h + t of a handle and a tunnel class. A handle class bounds inside, where nothing that was
+// pushed off to the outside links it, and a tunnel class links nothing inside: h V+ = 0 = t V-. Hence (h + t) V+ = t V+
+// = t (V+ - V-) = -t J: the projections to tunnel and handle classes are the integer matrices -V+ J^-1 and V- J^-1.
+// That they are complementary projections of rank g and that M = T J H^T is unimodular is checked.
+std::optional<Integer_matrix> dual_classes(const Integer_matrix& v_plus, const Integer_matrix& v_minus, bool outward)
+{
+  const int n = static_cast<int>(v_plus.rows()), g = n / 2;
+  const Integer_matrix j = widened(symplectic_unit(g));
+  Integer_matrix to_tunnels = v_plus * j, to_handles = -(v_minus * j);   // J^-1 = -J
+  if (!outward) to_tunnels.swap(to_handles);
+  if (Integer_matrix(v_plus - v_minus) != Integer_matrix(-j)) return std::nullopt;
+  if (Integer_matrix(v_plus.transpose()) != v_minus) return std::nullopt;
+  if (Integer_matrix(to_tunnels * to_tunnels) != to_tunnels) return std::nullopt;
+  const Integer_matrix t = row_lattice(to_tunnels);
+  Integer_matrix h = row_lattice(to_handles);
+  if (t.rows() != g || h.rows() != g) return std::nullopt;
+  if (g > 0) h = reduced(h);
+  const auto inverse = unimodular_inverse(t * j * h.transpose());   // M^-1
+  if (!inverse) return std::nullopt;
+  Integer_matrix classes(n, n);
+  classes << *inverse * t, h;
+  return classes;
+}
+
+// ---- walks along edges
+
+using Walk = std::vector<Halfedge>;
+
+Walk reversed(const Intrinsic_triangulation& t, const Walk& walk)
+{
+  Walk result;
+  for (auto h = walk.rbegin(); h != walk.rend(); ++h) result.push_back(t.opposite(*h));
+  return result;
+}
+
+Walk path_from_root(const Intrinsic_triangulation& t, const internal::Tree_cotree& trees, Vertex v)
+{
+  Walk path;
+  for (Halfedge h = trees.vertex_parent[v]; h != Mesh::null_halfedge(); h = trees.vertex_parent[t.source(h)])
+    path.push_back(h);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+Walk loop_through_root(const Intrinsic_triangulation& t, const internal::Tree_cotree& trees, Halfedge h)
+{
+  Walk loop = path_from_root(t, trees, t.source(h));
+  loop.push_back(h);
+  const Walk back = reversed(t, path_from_root(t, trees, t.target(h)));
+  loop.insert(loop.end(), back.begin(), back.end());
+  return loop;
+}
+
+// removes every halfedge that is followed by its opposite, round the closed walk
+Walk without_spurs(const Intrinsic_triangulation& t, const Walk& walk)
+{
+  Walk result;
+  for (Halfedge h : walk)
+    if (!result.empty() && result.back() == t.opposite(h)) result.pop_back();
+    else result.push_back(h);
+  std::size_t ends = 0;
+  while (2 * ends + 1 < result.size() && result[ends] == t.opposite(result[result.size() - 1 - ends])) ++ends;
+  return Walk(result.begin() + ends, result.end() - ends);
+}
+
+double length(const Intrinsic_triangulation& t, const Walk& walk)
+{
+  double sum = 0;
+  for (Halfedge h : walk) sum += t.length(h);
+  return sum;
+}
+
+Eigen::RowVectorXi integrals(const Integer_cochains& eta, const Walk& walk)
+{
+  Eigen::RowVectorXi sum = Eigen::RowVectorXi::Zero(eta.size());
+  for (Halfedge h : walk) sum += eta.row(h);
+  return sum;
+}
+
+// the walks through a root in the classes of the basis
+std::vector<Walk> walks_through(const Intrinsic_triangulation& t, const Homology_basis& basis, Vertex root)
+{
+  const internal::Tree_cotree trees = internal::tree_cotree(t, t.lengths(), root);
+  const int n = static_cast<int>(trees.generators.size());
+  std::vector<Walk> loops;
+  Eigen::MatrixXi values(n, n);   // of the cochains on the loops
+  for (int k = 0; k < n; ++k) {
+    loops.push_back(loop_through_root(t, trees, t.halfedge(trees.generators[k])));
+    values.row(k) = integrals(basis.cochains, loops[k]);
+  }
+  const auto inverse = unimodular_inverse(widened(values));
+  if (!inverse) throw Numerical_error("the loops through a vertex do not generate the homology");
+  // the cochains integrate to column i of the intersection matrix along the i-th class
+  const Eigen::MatrixXi coefficient = narrowed(widened(basis.intersection_matrix.transpose()) * *inverse);
+  std::vector<Walk> walks(n);
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < n; ++k) {
+      const Walk piece = coefficient(i, k) > 0 ? loops[k] : reversed(t, loops[k]);
+      for (int m = 0; m < std::abs(coefficient(i, k)); ++m) walks[i].insert(walks[i].end(), piece.begin(), piece.end());
+    }
+    walks[i] = without_spurs(t, walks[i]);
+  }
+  return walks;
+}
+
+} // namespace
+
+std::vector<Walk> short_loops(const Intrinsic_triangulation& t, const Homology_basis& basis, int roots)
+{
+  CGAL_precondition(roots > 0);
+  std::vector<Walk> best;
+  const std::size_t step = std::max<std::size_t>(1, t.number_of_vertices() / roots);
+  for (std::size_t v = 0; v < t.number_of_vertices(); v += step) {
+    const std::vector<Walk> walks = walks_through(t, basis, Vertex(static_cast<Mesh::size_type>(v)));
+    if (best.empty()) best = walks;
+    for (std::size_t i = 0; i < walks.size(); ++i)
+      if (length(t, walks[i]) < length(t, best[i])) best[i] = walks[i];
+  }
+  for (std::size_t i = 0; i < best.size(); ++i)
+    if (integrals(basis.cochains, best[i]) != basis.intersection_matrix.col(i).transpose())
+      throw Numerical_error("a short loop is not in its class");
+  return best;
+}
+
+Linking_matrices linking_matrices(const Intrinsic_triangulation& t, const std::vector<std::vector<Halfedge>>& loops)
+{
+  const Linking_form form(t, loops);
+  for (int k = 0; k < internal::Projection::number; ++k)
+    if (const auto v = form.read_off(internal::Projection(k))) return *v;
+  return {};
+}
+
+Handle_tunnel_basis handle_tunnel_basis(const Intrinsic_triangulation& t, const Homology_basis& basis)
+{
+  Handle_tunnel_basis result{basis, false, false, ""};
+  if (!t.is_embedded()) {
+    result.reason = "the surface is known by its edge lengths alone: it has no inside and no outside";
+    return result;
+  }
+  const Linking_matrices v = linking_matrices(t, basis.loops);
+  if (v.plus.rows() != static_cast<int>(basis.loops.size())) {
+    result.reason = "the loops touch themselves in every projection that was tried: triangles may be degenerate";
+    return result;
+  }
+  const Integer_matrix c = widened(basis.combination);
+  const bool outward = CGAL::Polygon_mesh_processing::is_outward_oriented(t.mesh(), exactly(t.mesh()));
+  const auto classes = dual_classes(c * widened(v.plus) * c.transpose(), c * widened(v.minus) * c.transpose(), outward);
+  if (!classes) {
+    result.reason = "the linking numbers of the loops are not those of a surface without self-intersections";
+    return result;
+  }
+  result.basis.combination = narrowed(*classes * c);
+  const Integer_matrix j = *classes * widened(basis.intersection_matrix) * classes->transpose();
+  result.basis.intersection_matrix = narrowed(j);
+  if (result.basis.intersection_matrix != symplectic_unit(t.genus()))
+    throw Numerical_error("the intersection form of the handle and tunnel classes is not the symplectic unit");
+  result.basis.cochains = cochains_of_loops(result.basis, t.number_of_edges());
+  result.found = true;
+  result.reason = self_intersection(t);
+  result.certified = result.reason.empty();
+  return result;
+}
+
+} } // namespace CGAL::Quartic_differentials
