@@ -87,9 +87,8 @@ void require_near(const Exact_cone_metric& m)
 }
 
 // The same for the metric on the triangulation that is laid out, made from the input's own triangles.
-std::string shortfall(const Precision_report& p)
+std::string shortfall(const Precision_report& p, double accepted)
 {
-  const double accepted = 1e-9;   // radians
   if (p.max_curvature_error <= accepted && p.max_transition_error <= accepted) return {};
   return "the input's triangles are too thin: the curvature error is " + scientific(p.max_curvature_error)
          + " rad there, that of transitions " + scientific(p.max_transition_error) + " rad";
@@ -154,7 +153,7 @@ void immerse(const Intrinsic_triangulation& input, const Quartic_differential_op
 {
   const int enough = 128;
   std::string reason = shortfall(*r.metric);
-  if (reason.empty()) reason = shortfall(*r.precision);
+  if (reason.empty()) reason = shortfall(*r.precision, options.cone_metric.accepted_holonomy);
   if (options.precision != 0) {
     immerse_precisely(input, options.precision, "", options, visitor, r);
     return;
