@@ -4,6 +4,7 @@
 
 #include <CGAL/Quartic_differentials/homology_basis.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/intersection_number.h>
 #include <CGAL/Quartic_differentials/internal/tree_cotree.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -131,11 +132,7 @@ Eigen::MatrixXi intersection_numbers(const Intrinsic_triangulation& t, const Int
 {
   Eigen::MatrixXi j = Eigen::MatrixXi::Zero(cochains.size(), loops.size());
   for (std::size_t l = 0; l < loops.size(); ++l)
-    for (std::size_t i = 0; i < loops[l].size(); ++i) {
-      const Halfedge in = t.opposite(loops[l][i]), out = loops[l][(i + 1) % loops[l].size()];
-      // turning right round target(in), the walk on the left side goes backwards along prev(in)
-      if (out == t.next(in)) j.col(l) -= cochains.row(t.prev(in)).transpose();
-    }
+    for (Halfedge h : edge_walk(t, {loops[l]})) j.col(l) += cochains.row(h).transpose();
   return j;
 }
 

@@ -151,13 +151,10 @@ void immerse_precisely(const Intrinsic_triangulation& input, int bits, const std
 void immerse(const Intrinsic_triangulation& input, const Quartic_differential_options& options, Visitor& visitor,
              Quartic_differential_result& r)
 {
+  if (options.precision != 0) return immerse_precisely(input, options.precision, "", options, visitor, r);
   const int enough = 128;
   std::string reason = shortfall(*r.metric);
   if (reason.empty()) reason = shortfall(*r.precision, options.cone_metric.accepted_holonomy);
-  if (options.precision != 0) {
-    immerse_precisely(input, options.precision, "", options, visitor, r);
-    return;
-  }
   if (reason.empty()) {
     const Cone_metric& m = r.metric->metric;
     r.differential = immersion(r.refined_metric->triangulation, r.refined_metric->lengths, m.cones, m.order, input.area(),

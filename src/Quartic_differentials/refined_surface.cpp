@@ -6,8 +6,8 @@
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/cone_insertion.h>
-#include <CGAL/Quartic_differentials/internal/flip_towards_input.h>
 #include <CGAL/Quartic_differentials/internal/flat_metric_errors.h>
+#include <CGAL/Quartic_differentials/internal/flip_towards_input.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/refined_surface.h>
 

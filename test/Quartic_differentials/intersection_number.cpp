@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "exact_charts.h"
+#include "own_input.h"
 #include "test_surfaces.h"
 
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
@@ -26,6 +27,7 @@
 #include <vector>
 
 using namespace CGAL::Quartic_differentials;
+using Quartic_test::own_input;
 using namespace Quartic_test;
 
 namespace {
@@ -316,26 +318,12 @@ void test_one_vertex()
   CHECK_EQUAL(closed_curve_along_polyline(t, {{f, inside}}).crossings.size(), 0u);
 }
 
-// A surface as its own input.
-Refined_surface itself(const Quartic_differential& q)
-{
-  Refined_surface r;
-  r.differential = q;
-  r.input_corner.resize(q.triangulation.number_of_halfedges());
-  for (Face f : q.triangulation.faces()) {
-    r.input_face.push_back(f);
-    r.faces_in.push_back({f});
-    for (Halfedge h : q.triangulation.halfedges(f)) r.input_corner[h][q.triangulation.corner(h)] = 1;
-  }
-  return r;
-}
-
 // Straight closed lines on a flat torus, drawn by pull_back(): k times u plus l times v.
 void test_pulled_back_lines()
 {
   std::mt19937 random(6);
   const Grid_vector u{1200, 70}, v{-130, 900};
-  const Refined_surface surface = itself(exact_differential({2, 3, 0, 1}, u, v));
+  const Refined_surface surface = own_input(exact_differential({2, 3, 0, 1}, u, v));
   const Intrinsic_triangulation& t = surface.differential.triangulation;
   struct Line { int k, l; Closed_curve curve; };
   std::vector<Line> lines;

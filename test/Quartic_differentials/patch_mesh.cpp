@@ -7,6 +7,7 @@
 #include "check.h"
 #include "exact_charts.h"
 #include "named_surfaces.h"
+#include "own_input.h"
 
 #include <CGAL/Quartic_differentials/patch_mesh.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
@@ -239,15 +240,7 @@ Refined_surface placed_at_random(Quartic_differential q, std::mt19937& random)
     mesh.point(v) = Point_3(x, y, z);
   }
   q.triangulation = Intrinsic_triangulation(std::move(mesh));
-  Refined_surface r;
-  r.input_corner.resize(q.triangulation.number_of_halfedges());
-  for (Face f : q.triangulation.faces()) {
-    r.input_face.push_back(f);
-    r.faces_in.push_back({f});
-    for (Halfedge h : q.triangulation.halfedges(f)) r.input_corner[h][q.triangulation.corner(h)] = 1;
-  }
-  r.differential = std::move(q);
-  return r;
+  return Quartic_test::own_input(q);
 }
 
 /// a side of the squares: slanted by little, by nothing or by 45 degrees; on large ones, pieces are thinner than the

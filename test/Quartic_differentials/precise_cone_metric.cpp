@@ -7,6 +7,7 @@
 
 #include "check.h"
 #include "named_surfaces.h"
+#include "run_pipeline.h"
 #include "test_surfaces.h"
 
 #include <CGAL/Quartic_differentials/arbitrary_precision.h>
@@ -21,19 +22,12 @@
 #include <iostream>
 
 using namespace CGAL::Quartic_differentials;
+using Quartic_test::run_pipeline;
 namespace mp = boost::multiprecision;
 using Digits_50  = mp::number<mp::cpp_bin_float_50::backend_type, mp::et_off>;
 using Digits_100 = mp::number<mp::cpp_bin_float_100::backend_type, mp::et_off>;
 
 namespace {
-
-Quartic_differential_result run(const Intrinsic_triangulation& input, const Quartic_differential_options& options = {})
-{
-  Visitor visitor;
-  Quartic_differential_result result;
-  quartic_differential(input, std::nullopt, options, visitor, result);
-  return result;
-}
 
 // The largest curvature error of a flat metric, by the law of cosines.
 Digits_100 curvature_error(const Intrinsic_triangulation& t, const std::vector<Digits_50>& lengths,
@@ -52,7 +46,7 @@ Digits_100 curvature_error(const Intrinsic_triangulation& t, const std::vector<D
 // In a number type of the test's own; nothing of the pipeline but its double results is used.
 void test_number_type(const Quartic_test::Named_surface& s)
 {
-  const Quartic_differential_result r = run(s.surface);
+  const Quartic_differential_result r = run_pipeline(s.surface);
   Visitor visitor;
   const Cone_metric& metric = r.metric->metric;
   const Refined_cone_metric& refined = *r.refined_metric;
@@ -76,7 +70,7 @@ void test_real(const Quartic_test::Named_surface& s)
 {
   Quartic_differential_options options;
   options.precision = 128;
-  const Quartic_differential_result r = run(s.surface, options);
+  const Quartic_differential_result r = run_pipeline(s.surface, options);
   std::cout << s.name << ": curvature " << r.precision->max_curvature_error << ", holonomy "
             << r.precision->max_holonomy_error << ", transitions " << r.precision->max_transition_error << std::endl;
   CHECK(r.precision->max_curvature_error < 1e-30);
@@ -89,7 +83,7 @@ void test_real(const Quartic_test::Named_surface& s)
 void test_pinned()
 {
   const Intrinsic_triangulation input(handle_chain(2, 6));
-  Divisor divisor = run(input).singularities;
+  Divisor divisor = run_pipeline(input).singularities;
   divisor[0].pinned = divisor[3].pinned = true;
   Quartic_differential_options options;
   options.precision = 128;
@@ -102,15 +96,33 @@ void test_pinned()
   CHECK_EQUAL(r.metric->moved_by[3], 0.0);
 }
 
+// What cannot be done is said: cones that may not move cannot correct the holonomy, and 50 digits do not reach 1e-60.
+void test_out_of_reach()
+{
+  const Intrinsic_triangulation input(handle_chain(2, 6));
+  const Quartic_differential_result r = run_pipeline(input);
+  const Cone_metric& metric = r.metric->metric;
+  Visitor visitor;
+  Divisor pinned = r.singularities;
+  for (Singularity& s : pinned) s.pinned = true;
+  const Integer_cochains cochains = cochains_of_loops(r.surface->homology, input.number_of_edges());
+  const Refined_cone_metric refined = refined_cone_metric(input, cochains, pinned, metric);
+  CHECK_THROWS(precise_cone_metric<Digits_50>(input, metric, refined, Digits_50(1e-40), visitor), Numerical_error,
+               "cannot make the holonomy exact");
+  const auto m = precise_cone_metric<Digits_50>(input, metric, *r.refined_metric, Digits_50(1e-60), visitor);
+  CHECK(!m.reached);
+  CHECK(m.history.back() < 1e-40);
+}
+
 void test_bits(const Intrinsic_triangulation& input)
 {
-  const Quartic_differential_result with_doubles = run(input);
+  const Quartic_differential_result with_doubles = run_pipeline(input);
   CHECK_EQUAL(with_doubles.precision->bits, 53);
   CHECK(with_doubles.precision->max_curvature_error < 1e-10);
   for (int bits : {64, 100, 256, 1024}) {
     Quartic_differential_options options;
     options.precision = bits;
-    const Quartic_differential_result r = run(input, options);
+    const Quartic_differential_result r = run_pipeline(input, options);
     std::cout << bits << " bits: curvature " << r.precision->max_curvature_error << ", holonomy "
               << r.precision->max_holonomy_error << ", layout gap " << r.immersion.layout_gap << std::endl;
     CHECK_EQUAL(r.precision->bits, bits);
@@ -176,6 +188,7 @@ int main()
   for (const auto& s : Quartic_test::real_surfaces({"sculpt_7k3", "3holes_7k2", "rockerarm_20k"})) test_real(s);
   test_bits(Intrinsic_triangulation(handle_chain(2, 6)));
   test_pinned();
+  test_out_of_reach();
   test_retry();
   test_cancel();
   return Quartic_test::result();

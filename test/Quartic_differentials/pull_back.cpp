@@ -8,6 +8,7 @@
 #include "check.h"
 #include "exact_charts.h"
 #include "named_surfaces.h"
+#include "own_input.h"
 
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
@@ -30,6 +31,7 @@
 #include <vector>
 
 using namespace CGAL::Quartic_differentials;
+using Quartic_test::own_input;
 using namespace Quartic_test;
 
 namespace {
@@ -295,20 +297,6 @@ void check_rounded_starts(const Surface& s)
 
 // Surfaces glued from parallelograms
 
-/// a surface as its own input
-Refined_surface itself(const Quartic_differential& q)
-{
-  Refined_surface r;
-  r.differential = q;
-  r.input_corner.resize(q.triangulation.number_of_halfedges());
-  for (Face f : q.triangulation.faces()) {
-    r.input_face.push_back(f);
-    r.faces_in.push_back({f});
-    for (Halfedge h : q.triangulation.halfedges(f)) r.input_corner[h][q.triangulation.corner(h)] = 1;
-  }
-  return r;
-}
-
 /// Lines through lattice points meet vertices all the time; a stop at one of them changes nothing.
 void check_stops(const Refined_surface& surface, std::int64_t side, std::mt19937& random)
 {
@@ -332,8 +320,8 @@ void square_tiled_surfaces()
     if (!is_connected(glued)) continue;
     Quartic_differential q = exact_differential(glued, {side, 0}, {0, side});
     flip_exactly(q, 30, 10 * side, random);
-    check_vertices(itself(q));
-    check_stops(itself(q), side, random);
+    check_vertices(own_input(q));
+    check_stops(own_input(q), side, random);
     ++done;
   }
 }
@@ -345,7 +333,7 @@ void torus()
   const Grid_vector u{1200, 70}, v{-130, 900};
   Quartic_differential q = exact_differential({2, 3, 0, 1}, u, v);
   flip_exactly(q, 20, 10000, random);
-  const Refined_surface surface = itself(q);
+  const Refined_surface surface = own_input(q);
   for (int k = -7; k <= 7; ++k)
     for (int l = -7; l <= 7; ++l) {
       const Face f(static_cast<Mesh::size_type>(random() % 2));
@@ -359,7 +347,7 @@ void torus()
 void range()
 {
   const std::int64_t far = std::int64_t(1) << 60;
-  const Refined_surface surface = itself(exact_differential({2, 3, 0, 1}, {far / 8, 0}, {0, far / 8}));
+  const Refined_surface surface = own_input(exact_differential({2, 3, 0, 1}, {far / 8, 0}, {0, far / 8}));
   const Face f(0);
   CHECK_THROWS(pull_back(surface, f, {{0, 0}, {far, 0}}), Numerical_error, "range");
   CHECK_THROWS(pull_back(surface, f, {{0, 0}, {far - 1, 1}, {0, 1}, {-far, 1}}), Numerical_error, "range");
@@ -369,7 +357,7 @@ void range()
   Quartic_differential q = surface.differential;   // the start of the line is too far away in the second chart
   for (Halfedge h : q.triangulation.halfedges(Face(1))) q.corner[h] = q.corner[h] - Grid_vector{far / 2, 0};
   find_transitions(q);
-  CHECK_THROWS(pull_back(itself(q), f, {inside, {far - 1, 1}}), Numerical_error, "range");
+  CHECK_THROWS(pull_back(own_input(q), f, {inside, {far - 1, 1}}), Numerical_error, "range");
 
   CHECK_THROWS(nearest_grid_point(surface.differential, {0, -std::ldexp(1.0, 40)}), Numerical_error, "range");
   CHECK_THROWS(nearest_grid_point(surface.differential, {std::nan(""), 0}), Numerical_error, "range");

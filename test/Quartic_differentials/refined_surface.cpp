@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "named_surfaces.h"
+#include "run_pipeline.h"
 
 #include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
@@ -22,16 +23,9 @@
 #include <utility>
 
 using namespace CGAL::Quartic_differentials;
+using Quartic_test::run_pipeline;
 
 namespace {
-
-Quartic_differential_result run(const Intrinsic_triangulation& input, const Quartic_differential_options& options = {})
-{
-  Visitor visitor;
-  Quartic_differential_result result;
-  quartic_differential(input, std::nullopt, options, visitor, result);
-  return result;
-}
 
 double distance_from_triangle_plane(const Point_3& p, const Point_3& a, const Point_3& b, const Point_3& c)
 {
@@ -111,7 +105,7 @@ std::multiset<std::pair<std::int64_t, std::int64_t>> rectangles(const T_mesh& t)
 void test(const Quartic_test::Named_surface& named, double most_faces, bool nasty = false)
 {
   const Intrinsic_triangulation& input = named.surface;
-  const Quartic_differential_result result = run(input);
+  const Quartic_differential_result result = run_pipeline(input);
   const Refined_cone_metric& metric = *result.refined_metric;
   CHECK_EQUAL(metric.refinement.defect(metric.triangulation), "");
   CHECK(result.precision->max_curvature_error < 1e-9);
@@ -173,7 +167,7 @@ void test_convergence(const Mesh& coarse)
   options.choice.start = Singularity_start::pairs;
   std::vector<double> error;
   for (const Mesh& mesh : {coarse, subdivided(coarse)})
-    error.push_back(conformal_error(run(Intrinsic_triangulation(mesh), options).refined->differential));
+    error.push_back(conformal_error(run_pipeline(Intrinsic_triangulation(mesh), options).refined->differential));
   std::cout << "sigma_1 / sigma_2 - 1: " << error[0] << " -> " << error[1] << std::endl;
   CHECK(error[0] < 0.1);
   CHECK(error[0] / error[1] > 1.6);

@@ -230,7 +230,7 @@ private:
 ///
 /// The combinatorics stays as it was decided in doubles; lengths, also of the input, where that is embedded, are
 /// computed anew in FT. A cone that would leave its face of the input stays where it is; the others make up for it.
-/// \\tparam FT a field with sqrt, exp, acos, atan2, round, abs and conversions from and to `double`, such as
+/// \tparam FT a field with sqrt, exp, acos, atan2, round, abs and conversions from and to `double`, such as
 ///         `boost::multiprecision::mpfr_float`
 /// \param metric of which `refined` was made; its scales are where the iteration starts
 /// \param tolerance what all errors must reach; the iteration goes on to a thousandth of it, or to stagnation
