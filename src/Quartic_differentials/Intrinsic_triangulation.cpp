@@ -4,6 +4,7 @@
 
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/face_frames.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/number_utils.h>
@@ -180,6 +181,20 @@ std::string structural_defect(const Intrinsic_triangulation& t)
     if (n != outgoing[v]) return "the triangles at vertex " + std::to_string(v.idx()) + " do not form one circle";
   }
   return {};
+}
+
+void check_surface(const Intrinsic_triangulation& t)
+{
+  if (t.number_of_faces() == 0) throw Unusable_surface_error("the surface has no triangle");
+  for (Face f : t.faces()) {
+    const auto h = t.halfedges(f);
+    if (!(four_times_area(t.length(h[0]), t.length(h[1]), t.length(h[2])) > 0))
+      throw Unusable_surface_error("face " + std::to_string(f.idx()) + " has no area");
+  }
+  const std::size_t reached = internal::visit_faces_breadth_first(t, [](Halfedge) {});
+  if (reached != t.number_of_faces())
+    throw Unusable_surface_error("the surface is not connected: " + std::to_string(reached) + " of "
+                                 + std::to_string(t.number_of_faces()) + " faces hang together with the first");
 }
 
 } } // namespace CGAL::Quartic_differentials

@@ -5,20 +5,14 @@
 #include <CGAL/Quartic_differentials/handle_tunnel_basis.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Lattice_basis.h>
+#include <CGAL/Quartic_differentials/internal/integer_matrix.h>
 #include <CGAL/Quartic_differentials/internal/linking_number.h>
-#include <CGAL/Quartic_differentials/internal/tree_cotree.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
-#include <boost/multiprecision/eigen.hpp>
-#include <boost/multiprecision/gmp.hpp>
-
-#include <algorithm>
-#include <cstdlib>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,9 +23,10 @@ namespace Quartic_differentials {
 
 namespace {
 
-// not cpp_int: Boost 1.74 takes a matrix for a container of bytes to make one from
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-using Integer_matrix = Eigen::Matrix<Integer, Eigen::Dynamic, Eigen::Dynamic>;
+using internal::Big_integer_matrix;
+using internal::Integer;
+using internal::narrowed;
+using internal::widened;
 using Row_matrix = Integer_cochains::Row_matrix;
 
 // ---- the surface in space
@@ -189,76 +184,15 @@ private:
   std::vector<internal::Exact_segment> m_lower, m_upper;
 };
 
-// ---- integer lattices
-
-// Brings m to row echelon form by unimodular row operations (Euclid's algorithm column by column); returns its rank.
-int make_echelon(Integer_matrix& m)
-{
-  int rank = 0;
-  for (int column = 0; column < m.cols() && rank < m.rows(); ++column)
-    for (;;) {
-      int least = -1, nonzero = 0;
-      for (int i = rank; i < m.rows(); ++i)
-        if (m(i, column) != 0) {
-          ++nonzero;
-          if (least < 0 || abs(m(i, column)) < abs(m(least, column))) least = i;
-        }
-      if (nonzero == 0) break;
-      m.row(rank).swap(m.row(least));
-      if (nonzero == 1) { ++rank; break; }
-      for (int i = rank + 1; i < m.rows(); ++i) {
-        const Integer q = m(i, column) / m(rank, column);
-        if (q != 0) m.row(i) -= q * m.row(rank);
-      }
-    }
-  return rank;
-}
-
-// a basis of the lattice that the rows of m span
-Integer_matrix row_lattice(Integer_matrix m)
-{
-  const int rank = make_echelon(m);
-  return m.topRows(rank);
-}
-
-// m^-1, or nothing if m is not unimodular
-std::optional<Integer_matrix> unimodular_inverse(const Integer_matrix& m)
-{
-  const int n = static_cast<int>(m.rows());
-  Integer_matrix both(n, 2 * n);
-  both << m, Integer_matrix::Identity(n, n);
-  make_echelon(both);
-  for (int k = n - 1; k >= 0; --k) {
-    if (abs(both(k, k)) != 1) return std::nullopt;
-    if (both(k, k) < 0) both.row(k) *= Integer(-1);
-    for (int i = 0; i < k; ++i) {
-      const Integer q = both(i, k);
-      if (q != 0) both.row(i) -= q * both.row(k);
-    }
-  }
-  return Integer_matrix(both.rightCols(n));
-}
+// ---- the classes
 
 // a basis of the same lattice with small coefficients, by rows
-Integer_matrix reduced(const Integer_matrix& basis)
+Big_integer_matrix reduced(const Big_integer_matrix& basis)
 {
   const Eigen::MatrixXd rows = basis.unaryExpr([](const Integer& x) { return static_cast<double>(x); });
   const internal::Lattice_basis lattice(rows * rows.transpose());
   return lattice.basis().unaryExpr([](std::int64_t x) { return Integer(x); }).transpose() * basis;
 }
-
-Eigen::MatrixXi narrowed(const Integer_matrix& m)
-{
-  return m.unaryExpr([](const Integer& x) {
-    if (abs(x) > std::numeric_limits<short>::max())
-      throw Numerical_error("the handle and tunnel classes have a coefficient beyond 16 bits");
-    return static_cast<int>(x);
-  });
-}
-
-Integer_matrix widened(const Eigen::MatrixXi& m) { return m.unaryExpr([](int x) { return Integer(x); }); }
-
-// ---- the classes
 
 // The rows a_1 .. a_g, b_1 .. b_g with respect to a canonical basis, or nothing if V+ and V- are no linking numbers of
 // an embedded surface. For normals that point outwards:
@@ -267,125 +201,27 @@ Integer_matrix widened(const Eigen::MatrixXi& m) { return m.unaryExpr([](int x) 
 // pushed off to the outside links it, and a tunnel class links nothing inside: h V+ = 0 = t V-. Hence (h + t) V+ = t V+
 // = t (V+ - V-) = -t J: the projections to tunnel and handle classes are the integer matrices -V+ J^-1 and V- J^-1.
 // That they are complementary projections of rank g and that M = T J H^T is unimodular is checked.
-std::optional<Integer_matrix> dual_classes(const Integer_matrix& v_plus, const Integer_matrix& v_minus, bool outward)
+std::optional<Big_integer_matrix> dual_classes(const Big_integer_matrix& v_plus, const Big_integer_matrix& v_minus, bool outward)
 {
   const int n = static_cast<int>(v_plus.rows()), g = n / 2;
-  const Integer_matrix j = widened(symplectic_unit(g));
-  Integer_matrix to_tunnels = v_plus * j, to_handles = -(v_minus * j);   // J^-1 = -J
+  const Big_integer_matrix j = widened(symplectic_unit(g));
+  Big_integer_matrix to_tunnels = v_plus * j, to_handles = -(v_minus * j);   // J^-1 = -J
   if (!outward) to_tunnels.swap(to_handles);
-  if (Integer_matrix(v_plus - v_minus) != Integer_matrix(-j)) return std::nullopt;
-  if (Integer_matrix(v_plus.transpose()) != v_minus) return std::nullopt;
-  if (Integer_matrix(to_tunnels * to_tunnels) != to_tunnels) return std::nullopt;
-  const Integer_matrix t = row_lattice(to_tunnels);
-  Integer_matrix h = row_lattice(to_handles);
+  if (Big_integer_matrix(v_plus - v_minus) != Big_integer_matrix(-j)) return std::nullopt;
+  if (Big_integer_matrix(v_plus.transpose()) != v_minus) return std::nullopt;
+  if (Big_integer_matrix(to_tunnels * to_tunnels) != to_tunnels) return std::nullopt;
+  const Big_integer_matrix t = internal::row_lattice(to_tunnels);
+  Big_integer_matrix h = internal::row_lattice(to_handles);
   if (t.rows() != g || h.rows() != g) return std::nullopt;
   if (g > 0) h = reduced(h);
-  const auto inverse = unimodular_inverse(t * j * h.transpose());   // M^-1
+  const auto inverse = internal::unimodular_inverse(t * j * h.transpose());   // M^-1
   if (!inverse) return std::nullopt;
-  Integer_matrix classes(n, n);
+  Big_integer_matrix classes(n, n);
   classes << *inverse * t, h;
   return classes;
 }
 
-// ---- walks along edges
-
-using Walk = std::vector<Halfedge>;
-
-Walk reversed(const Intrinsic_triangulation& t, const Walk& walk)
-{
-  Walk result;
-  for (auto h = walk.rbegin(); h != walk.rend(); ++h) result.push_back(t.opposite(*h));
-  return result;
-}
-
-Walk path_from_root(const Intrinsic_triangulation& t, const internal::Tree_cotree& trees, Vertex v)
-{
-  Walk path;
-  for (Halfedge h = trees.vertex_parent[v]; h != Mesh::null_halfedge(); h = trees.vertex_parent[t.source(h)])
-    path.push_back(h);
-  std::reverse(path.begin(), path.end());
-  return path;
-}
-
-Walk loop_through_root(const Intrinsic_triangulation& t, const internal::Tree_cotree& trees, Halfedge h)
-{
-  Walk loop = path_from_root(t, trees, t.source(h));
-  loop.push_back(h);
-  const Walk back = reversed(t, path_from_root(t, trees, t.target(h)));
-  loop.insert(loop.end(), back.begin(), back.end());
-  return loop;
-}
-
-// removes every halfedge that is followed by its opposite, round the closed walk
-Walk without_spurs(const Intrinsic_triangulation& t, const Walk& walk)
-{
-  Walk result;
-  for (Halfedge h : walk)
-    if (!result.empty() && result.back() == t.opposite(h)) result.pop_back();
-    else result.push_back(h);
-  std::size_t ends = 0;
-  while (2 * ends + 1 < result.size() && result[ends] == t.opposite(result[result.size() - 1 - ends])) ++ends;
-  return Walk(result.begin() + ends, result.end() - ends);
-}
-
-double length(const Intrinsic_triangulation& t, const Walk& walk)
-{
-  double sum = 0;
-  for (Halfedge h : walk) sum += t.length(h);
-  return sum;
-}
-
-Eigen::RowVectorXi integrals(const Integer_cochains& eta, const Walk& walk)
-{
-  Eigen::RowVectorXi sum = Eigen::RowVectorXi::Zero(eta.size());
-  for (Halfedge h : walk) sum += eta.row(h);
-  return sum;
-}
-
-// the walks through a root in the classes of the basis
-std::vector<Walk> walks_through(const Intrinsic_triangulation& t, const Homology_basis& basis, Vertex root)
-{
-  const internal::Tree_cotree trees = internal::tree_cotree(t, t.lengths(), root);
-  const int n = static_cast<int>(trees.generators.size());
-  std::vector<Walk> loops;
-  Eigen::MatrixXi values(n, n);   // of the cochains on the loops
-  for (int k = 0; k < n; ++k) {
-    loops.push_back(loop_through_root(t, trees, t.halfedge(trees.generators[k])));
-    values.row(k) = integrals(basis.cochains, loops[k]);
-  }
-  const auto inverse = unimodular_inverse(widened(values));
-  if (!inverse) throw Numerical_error("the loops through a vertex do not generate the homology");
-  // the cochains integrate to column i of the intersection matrix along the i-th class
-  const Eigen::MatrixXi coefficient = narrowed(widened(basis.intersection_matrix.transpose()) * *inverse);
-  std::vector<Walk> walks(n);
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < n; ++k) {
-      const Walk piece = coefficient(i, k) > 0 ? loops[k] : reversed(t, loops[k]);
-      for (int m = 0; m < std::abs(coefficient(i, k)); ++m) walks[i].insert(walks[i].end(), piece.begin(), piece.end());
-    }
-    walks[i] = without_spurs(t, walks[i]);
-  }
-  return walks;
-}
-
 } // namespace
-
-std::vector<Walk> short_loops(const Intrinsic_triangulation& t, const Homology_basis& basis, int roots)
-{
-  CGAL_precondition(roots > 0);
-  std::vector<Walk> best;
-  const std::size_t step = std::max<std::size_t>(1, t.number_of_vertices() / roots);
-  for (std::size_t v = 0; v < t.number_of_vertices(); v += step) {
-    const std::vector<Walk> walks = walks_through(t, basis, Vertex(static_cast<Mesh::size_type>(v)));
-    if (best.empty()) best = walks;
-    for (std::size_t i = 0; i < walks.size(); ++i)
-      if (length(t, walks[i]) < length(t, best[i])) best[i] = walks[i];
-  }
-  for (std::size_t i = 0; i < best.size(); ++i)
-    if (integrals(basis.cochains, best[i]) != basis.intersection_matrix.col(i).transpose())
-      throw Numerical_error("a short loop is not in its class");
-  return best;
-}
 
 Linking_matrices linking_matrices(const Intrinsic_triangulation& t, const std::vector<std::vector<Halfedge>>& loops)
 {
@@ -407,7 +243,7 @@ Handle_tunnel_basis handle_tunnel_basis(const Intrinsic_triangulation& t, const 
     result.reason = "the loops touch themselves in every projection that was tried: triangles may be degenerate";
     return result;
   }
-  const Integer_matrix c = widened(basis.combination);
+  const Big_integer_matrix c = widened(basis.combination);
   const bool outward = CGAL::Polygon_mesh_processing::is_outward_oriented(t.mesh(), exactly(t.mesh()));
   const auto classes = dual_classes(c * widened(v.plus) * c.transpose(), c * widened(v.minus) * c.transpose(), outward);
   if (!classes) {
@@ -415,7 +251,7 @@ Handle_tunnel_basis handle_tunnel_basis(const Intrinsic_triangulation& t, const 
     return result;
   }
   result.basis.combination = narrowed(*classes * c);
-  const Integer_matrix j = *classes * widened(basis.intersection_matrix) * classes->transpose();
+  const Big_integer_matrix j = *classes * widened(basis.intersection_matrix) * classes->transpose();
   result.basis.intersection_matrix = narrowed(j);
   if (result.basis.intersection_matrix != symplectic_unit(t.genus()))
     throw Numerical_error("the intersection form of the handle and tunnel classes is not the symplectic unit");

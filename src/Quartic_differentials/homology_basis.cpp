@@ -5,19 +5,17 @@
 #include <CGAL/Quartic_differentials/homology_basis.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/intersection_number.h>
+#include <CGAL/Quartic_differentials/internal/integer_matrix.h>
 #include <CGAL/Quartic_differentials/internal/tree_cotree.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
-#include <algorithm>
-#include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Quartic_differentials {
 
 namespace {
 
-using Integer = boost::multiprecision::cpp_int;
+using internal::Integer;
 using Integer_vector = std::vector<Integer>;
 
 // The loop that leaves the face of h through h and comes back through the cotree.
@@ -84,7 +82,7 @@ Integer_vector partner(const Integer_vector& a, const Eigen::MatrixXi& j, std::v
 }
 
 // Integer symplectic Gram-Schmidt: rows a_1 .. a_g, b_1 .. b_g in terms of the loops.
-std::vector<Integer_vector> canonical_combination(const Eigen::MatrixXi& j)
+internal::Big_integer_matrix canonical_combination(const Eigen::MatrixXi& j)
 {
   const std::size_t n = j.rows();
   std::vector<Integer_vector> rest(n, Integer_vector(n, 0)), a_rows, b_rows;
@@ -102,19 +100,10 @@ std::vector<Integer_vector> canonical_combination(const Eigen::MatrixXi& j)
     b_rows.push_back(b);
   }
   a_rows.insert(a_rows.end(), b_rows.begin(), b_rows.end());
-  return a_rows;
-}
-
-Eigen::MatrixXi narrowed(const std::vector<Integer_vector>& rows)
-{
-  Eigen::MatrixXi m(rows.size(), rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      if (abs(rows[i][k]) > std::numeric_limits<short>::max())
-        throw Numerical_error("the canonical homology basis has a coefficient beyond 16 bits");
-      m(i, k) = static_cast<int>(rows[i][k]);
-    }
-  return m;
+  internal::Big_integer_matrix rows(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k) rows(i, k) = a_rows[i][k];
+  return rows;
 }
 
 } // namespace
@@ -162,7 +151,7 @@ Homology_basis homology_basis(const Intrinsic_triangulation& t)
     for (Halfedge h : basis.loops[k]) of_loops.add(h, k, 1);
   }
   const Eigen::MatrixXi j = intersection_numbers(t, of_loops, basis.loops);
-  basis.combination = narrowed(canonical_combination(j));
+  basis.combination = internal::narrowed(canonical_combination(j));
   basis.intersection_matrix = basis.combination * j * basis.combination.transpose();
   if (basis.intersection_matrix != symplectic_unit(n / 2))
     throw Numerical_error("the intersection form of the canonical basis is not the symplectic unit");

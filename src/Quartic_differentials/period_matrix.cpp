@@ -53,13 +53,17 @@ Period_matrix period_matrix(const Harmonic_1_forms& forms)
   return result;
 }
 
-Eigen::RowVectorXcd normalised_forms(const Harmonic_1_forms& forms, const Period_matrix& periods, Halfedge h)
+Eigen::MatrixXcd normalisation(const Period_matrix& periods)
 {
-  const int g = forms.size() / 2;
+  const int g = static_cast<int>(periods.star.rows()) / 2;
   const Eigen::MatrixXcd holomorphic = (Eigen::MatrixXcd::Identity(2 * g, 2 * g) + i * periods.star).rightCols(g);
   const Eigen::MatrixXcd of_loops = symplectic_unit(g).cast<double>().transpose() * holomorphic;   // periods
-  const Eigen::MatrixXcd normalised = holomorphic * of_loops.topRows(g).inverse();
-  return forms.row(h) * normalised;
+  return holomorphic * of_loops.topRows(g).inverse();
+}
+
+Eigen::RowVectorXcd normalised_forms(const Harmonic_1_forms& forms, const Period_matrix& periods, Halfedge h)
+{
+  return forms.row(h) * normalisation(periods);
 }
 
 } } // namespace CGAL::Quartic_differentials

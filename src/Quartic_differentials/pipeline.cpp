@@ -171,7 +171,7 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
                           Quartic_differential_result& result)
 {
   internal::Timing_visitor visitor(user_visitor, result.timings);
-  result.surface = riemann_surface(input, visitor);
+  result.surface = riemann_surface(input, visitor, options.homology);
   const Riemann_surface& s = *result.surface;
 
   std::optional<Abel_jacobi_map> map;
@@ -209,20 +209,6 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
     const Timed_step step(visitor, "t_mesh");
     result.t_mesh = t_mesh(result.traced(), visitor);
   }
-}
-
-void check_surface(const Intrinsic_triangulation& t)
-{
-  if (t.number_of_faces() == 0) throw Unusable_surface_error("the surface has no triangle");
-  for (Face f : t.faces()) {
-    const auto h = t.halfedges(f);
-    if (!(four_times_area(t.length(h[0]), t.length(h[1]), t.length(h[2])) > 0))
-      throw Unusable_surface_error("face " + std::to_string(f.idx()) + " has no area");
-  }
-  const std::size_t reached = internal::visit_faces_breadth_first(t, [](Halfedge) {});
-  if (reached != t.number_of_faces())
-    throw Unusable_surface_error("the surface is not connected: " + std::to_string(reached) + " of "
-                                 + std::to_string(t.number_of_faces()) + " faces hang together with the first");
 }
 
 } } // namespace CGAL::Quartic_differentials

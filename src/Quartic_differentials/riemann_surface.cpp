@@ -23,12 +23,16 @@ void add_harmonic_forms(Riemann_surface& s)
 
 } // namespace
 
-Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor)
+Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor, Homology_choice choice)
 {
   Riemann_surface s;
   {
     const Timed_step step(visitor, "homology");
     s.homology = homology_basis(input);
+    if (choice == Homology_choice::handle_tunnel) {
+      s.loops = handle_tunnel_loops(input, handle_tunnel_basis(input, s.homology));
+      s.homology = s.loops->classes.basis;
+    }
   }
   {
     const Timed_step step(visitor, "refinement");

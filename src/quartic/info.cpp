@@ -22,7 +22,7 @@ namespace {
 struct Info_options
 {
   std::string mesh;
-  bool        json = false, quiet = false;
+  bool        json = false, quiet = false, loops = true;
 };
 
 void print_period_matrix(std::ostream& out, const Period_matrix& periods)
@@ -38,6 +38,18 @@ void print_period_matrix(std::ostream& out, const Period_matrix& periods)
   }
 }
 
+void print_loops(std::ostream& out, const Handle_tunnel_loops& loops)
+{
+  const int n = static_cast<int>(loops.loops.size());
+  out << "  loops             ";
+  if (loops.classes.certified) out << "a_i are tunnels, b_i are handles, proved by linking numbers\n";
+  else if (loops.classes.found) out << "a_i seem tunnels, b_i handles, but " << loops.classes.reason << '\n';
+  else out << "handles and tunnels are not told apart: " << loops.classes.reason << '\n';
+  for (int k = 0; k < n; ++k)
+    out << "    " << loop_name(k, n / 2) << "  length " << loops.loops[k].length << ", " << loops.loops[k].walk.size()
+        << " edges" << (loops.loops[k].simple ? "" : ", not simple") << '\n';
+}
+
 void info(const Info_options& options)
 {
   Progress progress(options.quiet);
@@ -45,7 +57,8 @@ void info(const Info_options& options)
   facts.mesh = options.mesh;
   const Intrinsic_triangulation input = read_surface(options.mesh, facts.notes);
   facts.input = &input;
-  const Riemann_surface surface = riemann_surface(input, progress);
+  const Riemann_surface surface = riemann_surface(input, progress, options.loops ? Homology_choice::handle_tunnel
+                                                                                : Homology_choice::any);
   if (options.json) {
     std::cout << surface_report(facts, &surface).dump(1) << '\n';
     return;
@@ -54,6 +67,7 @@ void info(const Info_options& options)
             << input.number_of_edges() << " edges, " << input.number_of_faces() << " faces, area " << input.area() << '\n';
   for (const std::string& note : facts.notes) std::cout << "  note              " << note << '\n';
   std::cout << "  singularities     orders must add up to 8g-8 = " << 8 * input.genus() - 8 << '\n';
+  if (surface.loops) print_loops(std::cout, *surface.loops);
   if (input.genus() > 0) print_period_matrix(std::cout, surface.periods);
 }
 
@@ -62,9 +76,10 @@ void info(const Info_options& options)
 void add_info(CLI::App& app)
 {
   auto options = std::make_shared<Info_options>();
-  CLI::App* command = app.add_subcommand("info", "Tell the genus and the period matrix of a mesh");
+  CLI::App* command = app.add_subcommand("info", "Tell the genus, the handle and tunnel loops and the period matrix of a mesh");
   command->add_option("MESH", options->mesh, "Closed mesh (.off, .obj, .ply, .stl, .json)")->required();
   command->add_flag("--json", options->json, "Print the report as JSON");
+  command->add_flag("!--no-loops", options->loops, "Take any canonical homology basis, not one of short loops");
   command->add_flag("-q,--quiet", options->quiet, "Print no progress");
   command->callback([options] { info(*options); });
 }

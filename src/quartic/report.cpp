@@ -45,6 +45,32 @@ Json input_report(const Run_facts& facts)
           {"embedded", t.is_embedded()}, {"notes", facts.notes}};
 }
 
+// the loops of the canonical basis, as vertices of the input one after the other
+Json loops_report(const Intrinsic_triangulation& t, const Handle_tunnel_loops& loops)
+{
+  Json list = Json::array();
+  for (int k = 0; k < static_cast<int>(loops.loops.size()); ++k) {
+    const Edge_loop& loop = loops.loops[k];
+    std::vector<std::size_t> vertices;
+    for (Halfedge h : loop.walk) vertices.push_back(t.source(h).idx());
+    Json entry = {{"name", loop_name(k, t.genus())}};
+    if (loops.classes.found) entry["kind"] = loop_kind(loops, k);
+    entry.update({{"length", loop.length}, {"simple", loop.simple}, {"vertices", vertices}});
+    list.push_back(entry);
+  }
+  return list;
+}
+
+Json homology_report(const Intrinsic_triangulation& t, const Riemann_surface& s)
+{
+  Json report = {{"intersection_matrix", rounded_integers(s.homology.intersection_matrix)}, {"delaunay_flips", s.flips}};
+  if (!s.loops) return report;
+  report["handles_and_tunnels"] = {{"found", s.loops->classes.found}, {"certified", s.loops->classes.certified}};
+  if (!s.loops->classes.certified) report["handles_and_tunnels"]["reason"] = s.loops->classes.reason;
+  report["loops"] = loops_report(t, *s.loops);
+  return report;
+}
+
 Json versions()
 {
   return {{"quartic", QUARTIC_VERSION}, {"cgal", CGAL_VERSION_STR},
@@ -59,8 +85,6 @@ std::size_t peak_memory_bytes()
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
-
-std::string loop_name(int k, int genus) { return (k < genus ? "a" : "b") + std::to_string(k % genus + 1); }
 
 // the turning of a loop that is off a multiple of 90 degrees by `error`
 Json holonomy_of(const std::string& loop, double radians, double error)
@@ -262,8 +286,7 @@ Json surface_report(const Run_facts& facts, const Riemann_surface* s)
       zero["position"] = point(position_on_input(*facts.input, s->refinement->to_input(z.location)));
     zeros.push_back(zero);
   }
-  report["homology"] = {{"intersection_matrix", rounded_integers(s->homology.intersection_matrix)},
-                        {"delaunay_flips", s->flips}};
+  report["homology"] = homology_report(*facts.input, *s);
   report["holomorphic_forms"] = {{"residual", s->forms.residual}, {"zeros", zeros}};
   report["period_matrix"] = {{"re", reals(s->periods.pi.real())}, {"im", reals(s->periods.pi.imag())},
                              {"star_defect", s->periods.star_defect},

@@ -9,6 +9,7 @@
 #include <CGAL/Quartic_differentials/IO/read_surface.h>
 #include <CGAL/Quartic_differentials/IO/singularities.h>
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
+#include <CGAL/Quartic_differentials/IO/write_loops.h>
 #include <CGAL/Quartic_differentials/IO/write_pareto.h>
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
@@ -39,6 +40,7 @@ struct Run_options
 
 const char* const output_files[] = {"flat.obj", "flat.mtl", "flat.png", "flat_intrinsic.json", "flat_intrinsic.obj", "flat_intrinsic.mtl",
                                     "flat_intrinsic.png", "tmesh.json", "tmesh.vtp", "singularities.txt", "pareto.csv", "pareto.svg",
+                                    "loops.obj",
                                     "report.json"};
 
 // Makes the folder and removes what an earlier run left there, so that results of two runs never mix.
@@ -60,6 +62,8 @@ void write_results(const std::string& folder, const Intrinsic_triangulation& inp
       write_pareto_svg(out, c.pareto, static_cast<int>(c.divisor.size()), wanted_distortion);
     });
   }
+  if (r.surface && r.surface->loops && input.is_embedded())
+    write_file(folder + "/loops.obj", [&](std::ostream& out) { write_loops_obj(out, input, *r.surface->loops); });
   if (!r.singularities.empty() && input.is_embedded())
     write_file(folder + "/singularities.txt", [&](std::ostream& out) { write_singularities(out, r.singularities, input); });
   if (r.differential && r.immersion.flipped_triangles == 0) {
@@ -130,6 +134,7 @@ void run(const Run_options& options)
 void add_run(CLI::App& app)
 {
   auto options = std::make_shared<Run_options>();
+  options->pipeline.homology = Homology_choice::handle_tunnel;
   CLI::App* command = app.add_subcommand("run", "Compute singularities, flat metric, quartic differential and T-mesh of a mesh");
   command->add_option("MESH", options->mesh, "Closed triangle or polygon mesh (.off, .obj, .ply, .stl), or a surface of "
                                              "glued triangles (.json)")->required();
@@ -186,6 +191,8 @@ void add_run(CLI::App& app)
                       "Compute the flat metric, its holonomy and its layout with this number of binary digits; without it "
                       "doubles are used, and 128 digits where those are not enough")
          ->check(CLI::Range(64, 1024))->type_name("BITS");
+  command->add_flag_callback("--no-loops", [options] { options->pipeline.homology = Homology_choice::any; },
+                             "Take any canonical homology basis, not one of short handle and tunnel loops");
   command->add_flag("--intrinsic", options->intrinsic,
                     "Also write flat_intrinsic.obj: the flat triangulation, drawn straight between its vertices");
   command->add_flag("-q,--quiet", options->quiet, "Print nothing but errors");

@@ -83,7 +83,17 @@ void check_info()
     CHECK(report["input"]["genus"] == genus);
     CHECK_EQUAL(report["homology"]["intersection_matrix"].size(), static_cast<std::size_t>(2 * genus));
     CHECK_EQUAL(report["period_matrix"]["re"].size(), static_cast<std::size_t>(genus));
+    const bool in_space = report["input"]["embedded"];
+    CHECK_EQUAL(report["homology"]["loops"].size(), static_cast<std::size_t>(2 * genus));
+    CHECK(report["homology"]["handles_and_tunnels"]["certified"] == in_space);
+    for (const nlohmann::json& loop : report["homology"]["loops"]) {
+      CHECK(loop["simple"] == true && loop["vertices"].size() >= 2);
+      CHECK_EQUAL(loop.value("kind", ""), !in_space ? "" : loop["name"].get<std::string>()[0] == 'a' ? "tunnel" : "handle");
+    }
   }
+  CHECK(contains(quartic("info chain.off").out, "proved by linking numbers"));
+  CHECK(contains(quartic("info curve.json").out, "edge lengths alone"));
+  CHECK(!nlohmann::json::parse(quartic("info chain.off --json --no-loops").out)["homology"].contains("loops"));
   check_failure("info missing.off", 2, "missing.off: the file does not exist");
 }
 
@@ -93,17 +103,18 @@ void check_run()
   CHECK_EQUAL(o.status, 0);
   CHECK(contains(o.out, "rectangles"));
   for (const char* file : {"flat.obj", "flat.mtl", "flat.png", "flat_intrinsic.json", "tmesh.json", "tmesh.vtp",
-                           "singularities.txt", "report.json"})
+                           "singularities.txt", "loops.obj", "report.json"})
     CHECK(fs::file_size(folder / "results" / file) > 0);
   CHECK_EQUAL(quartic("verify results").status, 0);
   CHECK(contains(quartic("verify chain.off results").out, "lies on the input"));
   check_failure("verify torus.ply results", 2, "failed");
   check_failure("verify chain.off", 2, "no folder");
   CHECK(contains(contents(folder / "results" / "tmesh.json"), "\"surface\":\"input\""));
+  CHECK(contains(contents(folder / "results" / "loops.obj"), "g b2 handle"));
   CHECK(!fs::exists(folder / "results" / "flat_intrinsic.obj"));
   CHECK(quartic("run chain.off -o again -q --intrinsic").out.empty());
   CHECK(fs::file_size(folder / "again" / "flat_intrinsic.obj") > 0);
-  for (const char* file : {"flat.obj", "flat_intrinsic.json", "tmesh.json", "tmesh.vtp", "singularities.txt"})
+  for (const char* file : {"flat.obj", "flat_intrinsic.json", "tmesh.json", "tmesh.vtp", "singularities.txt", "loops.obj"})
     CHECK(contents(folder / "results" / file) == contents(folder / "again" / file));   // deterministic
 
   const auto timeless_report = [](const char* run) {

@@ -200,6 +200,9 @@ std::vector<FT> curvatures(const Intrinsic_triangulation& t, const std::vector<F
 /// edges and loops) and returns the first violation as a sentence, or the empty string.
 std::string structural_defect(const Intrinsic_triangulation& t);
 
+/// throws Unusable_surface_error if the surface is empty, not connected, or has a degenerate triangle.
+void check_surface(const Intrinsic_triangulation& surface);
+
 } } // namespace CGAL::Quartic_differentials
 
 #endif // CGAL_QUARTIC_DIFFERENTIALS_INTRINSIC_TRIANGULATION_H

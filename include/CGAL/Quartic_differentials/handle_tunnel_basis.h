@@ -55,20 +55,6 @@ struct Linking_matrices { Eigen::MatrixXi plus, minus; };
 /// \pre the surface `is_embedded()`
 Linking_matrices linking_matrices(const Intrinsic_triangulation& t, const std::vector<std::vector<Halfedge>>& loops);
 
-/// closed walks along edges, each h_i ending where h_(i+1) begins, in exactly the classes of a canonical basis, row by
-/// row, for people to look at.
-///
-/// Through each of some vertices run 2g shortest loops that generate the homology; every class is written in those of
-/// the vertex where the walk gets shortest. Not promised: that a walk is shortest in its class, or simple.
-/// \param basis its cochains live on `t`
-/// \param roots the number of vertices that are tried, evenly by index
-/// \pre `roots > 0`
-/// \throws Numerical_error if an integer leaves the 16-bit range
-/// Complexity: O(roots (n log n + g k + g^3)) for loops of k halfedges.
-/// Source: J. Erickson, K. Whittlesey, "Greedy optimal homotopy and homology generators", SODA 2005.
-std::vector<std::vector<Halfedge>> short_loops(const Intrinsic_triangulation& t, const Homology_basis& basis,
-                                               int roots = 16);
-
 } } // namespace CGAL::Quartic_differentials
 
 #endif // CGAL_QUARTIC_DIFFERENTIALS_HANDLE_TUNNEL_BASIS_H

@@ -38,7 +38,11 @@ struct Period_matrix
 /// Complexity: O(g^3); no linear system on the mesh is solved here.
 Period_matrix period_matrix(const Harmonic_1_forms& forms);
 
-/// the normalised holomorphic 1-forms phi_1 .. phi_g on a halfedge, with the integral of phi_j along a_i = delta_ij
+/// 2g x g: the values of omega_1 .. omega_2g times this are those of the normalised holomorphic 1-forms phi_1 .. phi_g,
+/// with the integral of phi_j along a_i = delta_ij
+Eigen::MatrixXcd normalisation(const Period_matrix& periods);
+
+/// phi_1 .. phi_g on a halfedge. Where many are asked for, multiply by `normalisation()`.
 Eigen::RowVectorXcd normalised_forms(const Harmonic_1_forms& forms, const Period_matrix& periods, Halfedge h);
 
 } } // namespace CGAL::Quartic_differentials

@@ -32,6 +32,7 @@ enum class Optimize { automatic, always, never };   ///< automatic: if they were
 
 struct Quartic_differential_options
 {
+  Homology_choice      homology = Homology_choice::any;
   Singularity_choice_options choice;            ///< how singularities are chosen when none are given
   bool                 add_to_given = false;    ///< choose more, beside those that are given
   bool                 repair_degree = false;   ///< add simple singularities until the degree is 8g-8
@@ -81,9 +82,6 @@ struct Quartic_differential_result
 void quartic_differential(const Intrinsic_triangulation& input, const std::optional<Divisor>& singularities,
                           const Quartic_differential_options& options, Visitor& visitor,
                           Quartic_differential_result& result);
-
-/// throws Unusable_surface_error if the surface is not connected or has a degenerate triangle.
-void check_surface(const Intrinsic_triangulation& surface);
 
 } } // namespace CGAL::Quartic_differentials
 

@@ -9,6 +9,7 @@
 #include <CGAL/Quartic_differentials/Refinement_cells.h>
 #include <CGAL/Quartic_differentials/Visitor.h>
 #include <CGAL/Quartic_differentials/coarse_surface.h>
+#include <CGAL/Quartic_differentials/handle_tunnel_loops.h>
 #include <CGAL/Quartic_differentials/holomorphic_forms.h>
 #include <CGAL/Quartic_differentials/homology_basis.h>
 #include <CGAL/Quartic_differentials/laplacian.h>
@@ -20,6 +21,13 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
+/// Which canonical basis of the homology is taken.
+enum class Homology_choice
+{
+  any,            ///< the first that is found
+  handle_tunnel   ///< one of short handle and tunnel loops, which people recognise
+};
+
 /// Steps 1 to 3: a triangulated surface as a Riemann surface.
 struct Riemann_surface
 {
@@ -27,6 +35,7 @@ struct Riemann_surface
   std::optional<Refinement_cells> refinement;   ///< carries points between the input's faces and `delaunay`
   std::size_t                     flips = 0;    ///< from the input to `delaunay`
   Homology_basis                  homology;     ///< loops on the input, cochains on `delaunay`
+  std::optional<Handle_tunnel_loops> loops;     ///< on the input, if they were asked for
   std::vector<double>             weights;      ///< cotangent weights of `delaunay`
   Laplacian_solver                laplacian;
   Harmonic_1_forms                forms;
@@ -36,8 +45,10 @@ struct Riemann_surface
 
 /// computes steps 1 to 3 of the pipeline.
 /// \pre `input` is a closed connected surface
-/// Complexity: one sparse factorisation, 2g back-substitutions, O(n log n) for the rest.
-Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor);
+/// Complexity: one sparse factorisation, 2g back-substitutions, O(n log n) for the rest; and that of
+/// `handle_tunnel_basis()` and `handle_tunnel_loops()` if their basis is chosen.
+Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor,
+                                Homology_choice choice = Homology_choice::any);
 
 /// computes steps 2 and 3 on a coarsened surface: there are no loops, no refinement and no zeros.
 Riemann_surface riemann_surface(const Coarse_surface& coarse);

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Quartic_differentials/internal/shortest_path_tree.h>
 #include <CGAL/Quartic_differentials/internal/tree_cotree.h>
 
-#include <limits>
 #include <queue>
 #include <utility>
 
@@ -12,51 +12,18 @@ namespace CGAL {
 namespace Quartic_differentials {
 namespace internal {
 
-namespace {
-
-// Dijkstra's algorithm on halfedges: edges may be parallel.
-std::vector<double> shortest_paths(const Intrinsic_triangulation& t, const std::vector<double>& lengths, Vertex root,
-                                   std::vector<Halfedge>& parent)
-{
-  std::vector<double> distance(t.number_of_vertices(), std::numeric_limits<double>::infinity());
-  parent.assign(t.number_of_vertices(), Mesh::null_halfedge());
-  using Item = std::pair<double, Vertex>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  distance[root] = 0;
-  queue.push({0, root});
-  while (!queue.empty()) {
-    const auto [d, v] = queue.top();
-    queue.pop();
-    if (d > distance[v]) continue;
-    const Halfedge first = t.halfedge_from(v);
-    Halfedge h = first;
-    do {
-      const Vertex w = t.target(h);
-      const double through = d + lengths[t.edge(h)];
-      if (through < distance[w]) {
-        distance[w] = through;
-        parent[w] = h;
-        queue.push({through, w});
-      }
-      h = t.next_around_source(h);
-    } while (h != first);
-  }
-  return distance;
-}
-
-} // namespace
-
 Tree_cotree tree_cotree(const Intrinsic_triangulation& t, const std::vector<double>& lengths, Vertex root)
 {
   Tree_cotree result;
-  const std::vector<double> distance = shortest_paths(t, lengths, root, result.vertex_parent);
+  Shortest_path_tree tree = shortest_path_tree(t, lengths, root);
+  result.vertex_parent = std::move(tree.parent);
   std::vector<char> in_tree(t.number_of_edges(), false), in_cotree(t.number_of_edges(), false);
   for (Halfedge h : result.vertex_parent)
     if (h != Mesh::null_halfedge()) in_tree[t.edge(h)] = true;
 
   // Prim's algorithm on the faces, longest loop first, ties by halfedge index
   const auto loop_length = [&](Halfedge h) {
-    return distance[t.source(h)] + distance[t.target(h)] + lengths[t.edge(h)];
+    return tree.distance[t.source(h)] + tree.distance[t.target(h)] + lengths[t.edge(h)];
   };
   using Item = std::pair<double, std::size_t>;
   std::priority_queue<Item> queue;
