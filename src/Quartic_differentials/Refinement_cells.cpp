@@ -41,13 +41,17 @@ struct Cell_side
   Halfedge    a;   // null on a C edge
 };
 
-// One face of C with the A edges in it.
+// One face of C after the other with the A edges in it.
 class Cut_face
 {
 public:
-  Cut_face(const Common_refinement& refinement, const Intrinsic_triangulation& c, Face f)
-    : r(refinement), sides(c.halfedges(f))
+  Cut_face(const Common_refinement& refinement, const Intrinsic_triangulation& triangulation)
+    : r(refinement), c(triangulation) {}
+
+  void go_to(Face f)
   {
+    sides = c.halfedges(f);
+    ring.clear();
     for (int k = 0; k < 3; ++k) {
       const auto n = static_cast<Mesh::size_type>(r.crossings(c.edge(sides[k])).size());
       corner[k] = ring.size();
@@ -60,16 +64,16 @@ public:
   const Ring_point& point(std::size_t i) const { return ring[i]; }
 
   // cuts off cell after cell along the chords, inner chords first, and calls `cell(sides)` for each.
-  template <class Cell> void for_each_cell(Cell cell) const
+  template <class Cell> void for_each_cell(Cell cell)
   {
-    std::vector<Cell_side> side(ring.size());                    // of what is left of the face, by where it starts
-    std::vector<std::size_t> after(ring.size());
+    side.resize(ring.size());
+    after.resize(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
       side[i] = {i, ring[i].crossing.is_none() ? r.coincident(ring[i].c) : Mesh::null_halfedge()};
       after[i] = (i + 1) % ring.size();
     }
-    std::vector<Cell_side> sides_of_cell;
-    for (const Chord& chord : chords()) {
+    find_chords();
+    for (const Chord& chord : chords) {
       sides_of_cell.clear();
       for (std::size_t i = chord.from; i != chord.to; i = after[i]) sides_of_cell.push_back(side[i]);
       sides_of_cell.push_back({chord.to, r.input().opposite(chord.a)});
@@ -93,9 +97,9 @@ private:
     return (k == 2 ? ring.size() : corner[k + 1]) - 1 - id.rank;
   }
 
-  std::vector<Chord> chords() const
+  void find_chords()
   {
-    std::vector<Chord> result;
+    chords.clear();
     for (std::size_t i = 0; i < ring.size(); ++i) {
       if (ring[i].crossing.is_none()) continue;
       const Crossing& x = r[ring[i].crossing];
@@ -103,17 +107,20 @@ private:
       const Halfedge first = first_halfedge(x.a), a = step.forward ? first : r.input().opposite(first);
       const bool ends_at_corner = step.to.is_none();
       const std::size_t j = ends_at_corner ? corner[(index_of(ring[i].c) + 2) % 3] : ring_index(step.at, step.to);
-      if (i < j) result.push_back({i, j, a});
-      else if (ends_at_corner) result.push_back({j, i, r.input().opposite(a)});
+      if (i < j) chords.push_back({i, j, a});
+      else if (ends_at_corner) chords.push_back({j, i, r.input().opposite(a)});
     }
-    std::sort(result.begin(), result.end());
-    return result;
+    std::sort(chords.begin(), chords.end());
   }
 
-  const Common_refinement&   r;
-  std::array<Halfedge, 3>    sides;
-  std::array<std::size_t, 3> corner;
-  std::vector<Ring_point>    ring;
+  const Common_refinement&       r;
+  const Intrinsic_triangulation& c;
+  std::array<Halfedge, 3>        sides;
+  std::array<std::size_t, 3>     corner;
+  std::vector<Ring_point>        ring;
+  std::vector<Cell_side>         side, sides_of_cell;   // of what is left of the face, by where it starts; of a cell
+  std::vector<std::size_t>       after;                 // the ring point that follows, round what is left
+  std::vector<Chord>             chords;
 };
 
 // the halfedge of the cell's A face on which the start of `side` lies (whose source it is, at a vertex)
@@ -156,11 +163,16 @@ std::array<double, 3> barycentric(const std::array<Complex, 3>& corner, Complex 
 Refinement_cells::Refinement_cells(const Common_refinement& refinement, const Intrinsic_triangulation& c)
 {
   const Intrinsic_triangulation& a = refinement.input();
+  m_c.faces.reserve(c.number_of_faces());
+  m_a.faces.reserve(a.number_of_faces());
   for (Face f : c.faces()) m_c.faces.push_back(c.unfolded(f));
   for (Face f : a.faces()) m_a.faces.push_back(a.unfolded(f));
 
+  m_cells.reserve(c.number_of_faces());
+  m_corners.reserve(3 * c.number_of_faces());
+  Cut_face cut(refinement, c);
   for (Face f : c.faces()) {
-    const Cut_face cut(refinement, c, f);
+    cut.go_to(f);
     cut.for_each_cell([&](const std::vector<Cell_side>& side) {
       const std::size_t n = side.size(), first = m_corners.size();
       for (std::size_t i = 0; i < n; ++i) {
@@ -171,6 +183,8 @@ Refinement_cells::Refinement_cells(const Common_refinement& refinement, const In
       m_cells.push_back({f, a.face(m_corners[first].a), first, m_corners.size()});
     });
   }
+  m_c.corners.reserve(m_corners.size());
+  m_a.corners.reserve(m_corners.size());
   for (const Cell_corner& corner : m_corners) {
     const auto &in_c = m_c.faces[c.face(corner.c)], &in_a = m_a.faces[a.face(corner.a)];
     if (corner.crossing.is_none()) {

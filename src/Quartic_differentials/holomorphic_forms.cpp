@@ -18,14 +18,16 @@ using Complex = std::complex<double>;
 const double pi = CGAL_PI;
 
 // d^T W omega at every vertex: the flux of the form out of it.
-template <class Form>
-Eigen::MatrixXd divergence(const Intrinsic_triangulation& t, const std::vector<double>& weights, const Form& by_edge)
+Harmonic_1_forms::Row_matrix divergence(const Intrinsic_triangulation& t, const std::vector<double>& weights,
+                                        const Harmonic_1_forms::Row_matrix& by_edge)
 {
-  Eigen::MatrixXd flux = Eigen::MatrixXd::Zero(t.number_of_vertices(), by_edge.cols());
+  Harmonic_1_forms::Row_matrix flux = Harmonic_1_forms::Row_matrix::Zero(t.number_of_vertices(), by_edge.cols());
   for (Edge e : t.edges()) {
+    const auto form = by_edge.row(e);
+    if (form.isZero(0)) continue;   // as cochains are almost everywhere
     const Halfedge h = t.halfedge(e);
-    flux.row(t.source(h)) -= weights[e] * by_edge.row(e);
-    flux.row(t.target(h)) += weights[e] * by_edge.row(e);
+    flux.row(t.source(h)) -= weights[e] * form;
+    flux.row(t.target(h)) += weights[e] * form;
   }
   return flux;
 }

@@ -29,7 +29,7 @@ Tree_cotree tree_cotree(const Intrinsic_triangulation& t, const std::vector<doub
   std::priority_queue<Item> queue;
   const auto push_sides = [&](Face f) {
     for (Halfedge h : t.halfedges(f))
-      if (!in_tree[t.edge(h)]) queue.push({loop_length(h), h.idx()});
+      if (!in_tree[t.edge(h)] && result.face_depth[t.face(t.opposite(h))] < 0) queue.push({loop_length(h), h.idx()});
   };
   const Face first = *t.faces().begin();
   result.face_parent.assign(t.number_of_faces(), Mesh::null_halfedge());
