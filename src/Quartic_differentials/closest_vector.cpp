@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <string>
 #include <tuple>
 
 namespace CGAL {
@@ -57,7 +60,7 @@ Reduced_target reduced(const Lattice_basis& lattice, const Dyadic_numbers& x)
   Reduced_target result{std::vector<std::int64_t>(n), Eigen::VectorXd(n)};
   for (int i = 0; i < n; ++i) {
     Big_integer sum = 0;    // U^-1 x in units of 2^-bits
-    for (int j = 0; j < n; ++j) sum += (x.integer[j] << up) * lattice.inverse()(i, j);
+    for (int j = 0; j < n; ++j) sum += (x.integer[j] << up) * lattice.dual()(j, i);
     const Big_integer whole = floor_shift(sum + half, bits);
     result.offset[i] = checked_int64(whole);
     result.y[i] = internal::rounded(sum - (whole << bits), -bits);
@@ -69,6 +72,14 @@ Reduced_target reduced(const Lattice_basis& lattice, const Dyadic_numbers& x)
 struct Rounding
 {
   double relative, absolute;
+
+  // no more than d(k)^2 if |R (y - k)|^2 is computed as `squared_distance` or more
+  double lowered(double squared_distance) const
+  {
+    const double distance = std::sqrt(squared_distance) * (1 - relative) - absolute;
+    const double own_rounding = 0x1p-48;
+    return distance > 0 ? distance * distance * (1 - own_rounding) : 0;
+  }
 };
 
 // Bounds, with D the diagonal matrix of the column lengths of R, and n the dimension:
@@ -91,7 +102,9 @@ Rounding rounding(const Eigen::MatrixXd& R)
   return {2 * (gram + sums), 2 * 0x1p-52 * R.cwiseAbs().rowwise().sum().norm()};
 }
 
-// Depth first search in the tree whose level i fixes k_i, nearest children first (Schnorr and Euchner).
+// Depth first search in the tree whose level i fixes k_i, nearest children first (Schnorr and Euchner). The cost of a
+// node, the squared length of the last entries of R (y - k), is computed by adding squares, so that rounding does not
+// let it fall from a node to its children.
 class Enumeration
 {
 public:
@@ -101,8 +114,10 @@ public:
     Eigen::VectorXd k;
   };
 
-  Enumeration(const Eigen::MatrixXd& R, const Eigen::VectorXd& y, const Closest_vector_options& options)
-    : m_R(R), m_y(y), m_rounding(rounding(R)), m_options(options), m_k(y.size()), m_v(y.size())
+  // \param limit no node of a larger cost is entered. Without a limit, the search is not stopped before its first leaf.
+  Enumeration(const Eigen::MatrixXd& R, const Eigen::VectorXd& y, const Rounding& rounding,
+              const Closest_vector_options& options, double limit = std::numeric_limits<double>::infinity())
+    : m_R(R), m_y(y), m_rounding(rounding), m_options(options), m_limit(limit), m_k(y.size()), m_v(y.size())
   {
     descend(static_cast<int>(y.size()) - 1, 0);
     forget_far_leaves();
@@ -112,6 +127,10 @@ public:
   const std::vector<Leaf>& leaves() const { return m_leaves; }
   bool complete() const { return !m_stopped; }
   std::size_t nodes() const { return m_nodes; }
+  // the least cost of a leaf
+  double least_found() const { return m_nearest.empty() ? std::numeric_limits<double>::infinity() : m_nearest.front(); }
+  // the least cost of the nodes that were not entered, because they cost too much or the search was stopped
+  double least_open() const { return m_least_open; }
 
 private:
   void descend(int i, double above)
@@ -122,15 +141,26 @@ private:
     const auto cost = [&](double k) { const double z = m_R(i, i) * (m_y[i] - k) + s; return above + z * z; };
     double down = std::floor(m_y[i] + s / m_R(i, i)), up = down + 1;
     double cost_down = cost(down), cost_up = cost(up);
-    while (std::min(cost_down, cost_up) <= m_bound && !m_stopped) {
+    for (;;) {
       const bool go_up = cost_up < cost_down;
+      const double least = go_up ? cost_up : cost_down;
+      if (least > m_bound || stopped()) {
+        m_least_open = std::min(m_least_open, least);
+        return;
+      }
+      ++m_nodes;
       m_k[i] = go_up ? up : down;
       m_v[i] = m_y[i] - m_k[i];
-      m_stopped = ++m_nodes > m_options.max_nodes && !m_leaves.empty();
-      if (!m_stopped) descend(i - 1, go_up ? cost_up : cost_down);
+      descend(i - 1, least);
       if (go_up) cost_up = cost(++up);
       else       cost_down = cost(--down);
     }
+  }
+
+  bool stopped()
+  {
+    m_stopped = m_stopped || (m_nodes >= m_options.max_nodes && (!m_leaves.empty() || std::isfinite(m_limit)));
+    return m_stopped;
   }
 
   void add_leaf(double squared_distance)
@@ -154,7 +184,7 @@ private:
       radius = std::min(radius, m_options.radius_factor * std::sqrt(m_nearest.front()));
       absolute += m_options.radius_factor * m_rounding.absolute;
     }
-    m_bound = std::pow(radius * (1 + 3 * m_rounding.relative) + 2 * absolute, 2);
+    m_bound = std::min(m_limit, std::pow(radius * (1 + 3 * m_rounding.relative) + 2 * absolute, 2));
   }
 
   void forget_far_leaves()
@@ -167,12 +197,40 @@ private:
   const Eigen::VectorXd&        m_y;
   const Rounding                m_rounding;
   const Closest_vector_options& m_options;
+  const double                  m_limit;
   Eigen::VectorXd               m_k, m_v;    // v = y - k
   std::vector<Leaf>             m_leaves;
   std::vector<double>           m_nearest;   // squared distances of the nearest leaves, at most `count`
-  double                        m_bound = std::numeric_limits<double>::infinity();
+  double                        m_bound = m_limit, m_least_open = std::numeric_limits<double>::infinity();
   std::size_t                   m_forget_at = 64, m_nodes = 0;
   bool                          m_stopped = false;
+};
+
+// A true lower bound of all d(k)^2 beyond what a stopped search left open, from complete searches of growing radius
+// until the nodes are used up. The radii do not depend on `max_nodes`, so that the bound never falls if that rises.
+struct Bound_search
+{
+  double                         squared_distance = 0;
+  std::vector<Enumeration::Leaf> leaves;   // vectors nearer than `nearest`, the least that is known, if any were met
+  std::size_t                    nodes = 0;
+
+  Bound_search(const Eigen::MatrixXd& R, const Eigen::VectorXd& y, const Rounding& rounding, double nearest,
+               std::size_t max_nodes)
+  {
+    const double growth = 1.25;   // of the squared radius
+    double limit = 0.25 * R.diagonal().cwiseAbs2().minCoeff();
+    for (bool last = false; !last && leaves.empty() && nodes < max_nodes;) {
+      last = limit >= nearest;
+      const Closest_vector_options one{1, std::numeric_limits<double>::infinity(), max_nodes - nodes};
+      const Enumeration search(R, y, rounding, one, std::min(limit, nearest));
+      nodes += search.nodes();
+      std::copy_if(search.leaves().begin(), search.leaves().end(), std::back_inserter(leaves),
+                   [&](const Enumeration::Leaf& leaf) { return leaf.squared_distance < nearest; });
+      const double least = std::min(search.least_open(), search.least_found());
+      squared_distance = std::max(squared_distance, rounding.lowered(least));
+      limit = std::max(growth * limit, search.least_open());
+    }
+  }
 };
 
 // A vector with its exact squared distance, in units that all vectors share.
@@ -202,6 +260,9 @@ public:
 
   double rounded(const Big_integer& squared_distance) const
   { return internal::rounded(squared_distance, m_lattice.norm_exponent() + 2 * std::min(0, m_x.exponent)); }
+
+  double rounded_down(const Big_integer& squared_distance) const
+  { return internal::rounded_down(squared_distance, m_lattice.norm_exponent() + 2 * std::min(0, m_x.exponent)); }
 
   double gap(const Candidate& best, const Candidate& next) const
   {
@@ -263,29 +324,70 @@ Closest_vectors closest_vectors(const Eigen::MatrixXd& gram, const Eigen::Vector
   const Reduced_target reduced_target = reduced(lattice, x);
   const Exact_problem problem(lattice, x, reduced_target);
 
-  const Enumeration search(R, reduced_target.y, options);
-  const std::vector<Candidate> found = problem.sorted(search.leaves());
+  const Rounding errors = rounding(R);
+  const Enumeration search(R, reduced_target.y, errors, options);
+  result.optimal = search.complete();
+  result.nodes = search.nodes();
+  std::vector<Enumeration::Leaf> leaves = search.leaves();
+  if (!result.optimal) {
+    const Bound_search bound(R, reduced_target.y, errors, search.least_found(), options.max_nodes);
+    leaves.insert(leaves.end(), bound.leaves.begin(), bound.leaves.end());
+    result.nodes += bound.nodes;
+    result.lower_bound = std::max(errors.lowered(std::min(search.least_open(), search.least_found())),
+                                  bound.squared_distance);
+  }
+
+  const std::vector<Candidate> found = problem.sorted(leaves);
   for (const Candidate& c : found)
     if (result.vectors.size() < options.count
         && within(c.squared_distance, options.radius_factor, found[0].squared_distance))
       result.vectors.push_back({c.m, problem.rounded(c.squared_distance)});
-  result.optimal = search.complete();
-  result.nodes = search.nodes();
   result.tie = found.size() > 1 && found[1].squared_distance == found[0].squared_distance;
+  const double least = problem.rounded_down(found[0].squared_distance);
+  result.lower_bound = result.optimal ? least : std::min(least, result.lower_bound);
 
   if (!result.optimal) return result;
   if (result.tie || result.vectors.size() > 1) {
     result.gap = problem.gap(found[0], found[1]);
     return result;
   }
-  const Closest_vector_options two_nearest{2, infinity, options.max_nodes};
-  const Enumeration runner_up(R, reduced_target.y, two_nearest);
+  const Closest_vector_options two_nearest{2, infinity, options.max_runner_up_nodes};
+  const Enumeration runner_up(R, reduced_target.y, errors, two_nearest);
   result.nodes += runner_up.nodes();
   if (runner_up.complete()) {
     const std::vector<Candidate> nearest = problem.sorted(runner_up.leaves());
     result.gap = problem.gap(nearest[0], nearest[1]);
   }
   return result;
+}
+
+void check_closest_vectors(const Closest_vectors& answer, const Eigen::MatrixXd& gram, const Eigen::VectorXd& target,
+                           const Closest_vector_options& options)
+{
+  const auto require = [](bool holds, const std::string& what) {
+    if (!holds) throw Error("the closest vector solver broke its contract: it returned " + what);
+  };
+  require(!answer.vectors.empty(), "no vector");
+  require(answer.vectors.size() <= options.count, std::to_string(answer.vectors.size()) + " vectors where at most "
+                                                  + std::to_string(options.count) + " were wanted");
+  const double tolerance = 1e-6;   // far above the rounding of a distance that is computed in a reasonable way
+  const std::size_t n = target.size();
+  const Eigen::MatrixXd W = gram.selfadjointView<Eigen::Lower>(), sizes = W.cwiseAbs();
+  std::set<std::vector<std::int64_t>> vectors;
+  double last = 0;
+  for (const Lattice_vector& v : answer.vectors) {
+    require(v.coefficients.size() == n, "a vector of " + std::to_string(v.coefficients.size())
+                                        + " coefficients in dimension " + std::to_string(n));
+    require(vectors.insert(v.coefficients).second, "the same vector twice");
+    require(v.squared_distance >= last, "vectors that are not in the order of their distances");
+    last = v.squared_distance;
+    Eigen::VectorXd z = target;
+    for (std::size_t i = 0; i < n; ++i) z[i] -= static_cast<double>(v.coefficients[i]);
+    const double terms = z.cwiseAbs().dot(sizes * z.cwiseAbs());
+    require(std::abs(v.squared_distance - z.dot(W * z)) <= tolerance * terms, "a distance that is not its vector's");
+  }
+  require(answer.lower_bound >= 0 && answer.lower_bound <= answer.vectors[0].squared_distance,
+          "a lower bound that its own vector contradicts");
 }
 
 } } // namespace CGAL::Quartic_differentials

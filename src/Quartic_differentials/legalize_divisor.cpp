@@ -49,22 +49,6 @@ void require_full_rank(const Eigen::MatrixXd& j)
                                    "add singularities, or pin fewer of them");
 }
 
-// The Gram matrix of the norm in which the integer program is solved, in the coordinates F / (pi/2).
-Eigen::MatrixXd lattice_gram(const Eigen::MatrixXd& j, const Period_matrix& periods, Lattice_norm norm)
-{
-  const int n = static_cast<int>(j.rows()), g = n / 2;
-  Eigen::MatrixXd gram(n, n);
-  if (norm == Lattice_norm::movement) {
-    gram = quarter_turn * quarter_turn * (j * j.transpose()).inverse();
-  } else {   // |-rho_b + Pi rho_a|^2 (METHOD, Abel-Jacobi map)
-    gram.topLeftCorner(g, g) = (periods.pi.adjoint() * periods.pi).real();
-    gram.topRightCorner(g, g) = -periods.pi.real().transpose();
-    gram.bottomLeftCorner(g, g) = -periods.pi.real();
-    gram.bottomRightCorner(g, g).setIdentity();
-  }
-  return 0.5 * (gram + gram.transpose());
-}
-
 // Two singularities that are too near each other and their distance, or "".
 std::string collision(const Intrinsic_triangulation& t, const Divisor& d, double least, double size)
 {
@@ -114,6 +98,24 @@ Nearest_singularities nearest_singularities(const Intrinsic_triangulation& t, co
   return nearest;
 }
 
+Eigen::MatrixXd lattice_gram(Lattice_norm norm, const Eigen::MatrixXd& jacobian, const Eigen::MatrixXcd& pi)
+{
+  if (norm == Lattice_norm::movement) {
+    const Eigen::MatrixXd gram = quarter_turn * quarter_turn * (jacobian * jacobian.transpose()).inverse();
+    return 0.5 * (gram + gram.transpose());
+  }
+  const Eigen::Index g = pi.rows();
+  const Eigen::MatrixXd X = pi.real(), Y = pi.imag();
+  // z = -q + Pi p, real and imaginary part (METHOD, Abel-Jacobi map), and the matrix of the norm of C^g
+  Eigen::MatrixXd real(g, 2 * g), imaginary(g, 2 * g);
+  real << X, -Eigen::MatrixXd::Identity(g, g);
+  imaginary << Y, Eigen::MatrixXd::Zero(g, g);
+  const Eigen::MatrixXd N = norm == Lattice_norm::invariant ? Eigen::MatrixXd(Y.inverse())
+                                                            : Eigen::MatrixXd::Identity(g, g);
+  const Eigen::MatrixXd gram = real.transpose() * N * real + imaginary.transpose() * N * imaginary;
+  return 0.5 * (gram + gram.transpose());
+}
+
 Lattice_candidates nearest_lattice_vectors(const internal::Moving_divisor& d, const Period_matrix& periods,
                                            const Legalization_options& options)
 {
@@ -122,8 +124,11 @@ Lattice_candidates nearest_lattice_vectors(const internal::Moving_divisor& d, co
   Closest_vector_options lattice;
   lattice.count = options.lattice_vectors;
   lattice.radius_factor = 2;
-  const Closest_vectors closest = closest_vectors(lattice_gram(j, periods, options.norm), d.residual() / quarter_turn,
-                                                  lattice);
+  const Eigen::MatrixXd gram = lattice_gram(options.norm, j, periods.pi);
+  const Eigen::VectorXd x = d.residual() / quarter_turn;
+  if (!options.solver) throw Error("there is no closest vector solver");
+  const Closest_vectors closest = options.solver(gram, x, lattice);
+  check_closest_vectors(closest, gram, x, lattice);
   Lattice_candidates candidates{{}, closest.optimal};
   for (const Lattice_vector& v : closest.vectors) {
     candidates.vectors.emplace_back(v.coefficients.size());

@@ -175,11 +175,13 @@ void add_run(CLI::App& app)
                     "Also write pareto.csv and pareto.svg: the least distortion found for every number of singularities");
   command->add_flag("--repair-degree", options->pipeline.repair_degree,
                     "Add simple singularities at curvature extrema until the orders of the file add up to 8g-8");
-  const std::map<std::string, Lattice_norm> norms{{"movement", Lattice_norm::movement}, {"paper", Lattice_norm::paper}};
+  const std::map<std::string, Lattice_norm> norms{
+    {"movement", Lattice_norm::movement}, {"paper", Lattice_norm::paper}, {"invariant", Lattice_norm::invariant}};
   command->add_option("--norm", options->pipeline.legalization.norm,
-                      "Norm of the integer program: 'movement' moves the singularities least, 'paper' is Euclidean")
+                      "Norm of the integer program: 'movement' moves the singularities least, 'paper' is Euclidean in "
+                      "the periods, 'invariant' is the Jacobian's own, whatever the homology basis")
          ->transform(CLI::CheckedTransformer(norms, CLI::ignore_case).description(""))
-         ->type_name("movement|paper")->default_str("movement");
+         ->type_name("movement|paper|invariant")->default_str("movement");
   const std::map<std::string, Abel_jacobi_route> routes{{"curvature", Abel_jacobi_route::curvature},
                                                         {"zeros", Abel_jacobi_route::zeros}};
   command->add_option("--abel-jacobi", options->pipeline.route,

@@ -7,6 +7,7 @@
 
 #include <CGAL/Quartic_differentials/Visitor.h>
 #include <CGAL/Quartic_differentials/abel_jacobi_map.h>
+#include <CGAL/Quartic_differentials/closest_vector.h>
 #include <CGAL/Quartic_differentials/divisor.h>
 #include <CGAL/Quartic_differentials/period_matrix.h>
 
@@ -23,7 +24,8 @@ namespace internal { class Moving_divisor; }
 enum class Lattice_norm
 {
   movement,   ///< least total movement of the singularities, (J J^T)^-1
-  paper       ///< the paper's Euclidean norm of C^g
+  paper,      ///< the paper's Euclidean norm of C^g, which depends on the canonical basis
+  invariant   ///< z* (Im Pi)^-1 z on C^g, which does not: it is the flat metric of the Jacobian
 };
 
 struct Legalization_options
@@ -34,6 +36,7 @@ struct Legalization_options
   double       longest_step  = 0.05;    ///< of any singularity in one step, times sqrt(area)
   double       least_distance = 0.01;   ///< between singularities, times sqrt(area)
   int          lattice_vectors = 16;    ///< tried, nearest first, within twice the best distance
+  Closest_vector_solver solver = Certified_closest_vectors();   ///< a model of `ClosestVectorSolver`
 };
 
 /// A divisor that satisfies the Abel-Jacobi condition, and how it was reached.
@@ -56,6 +59,7 @@ struct Legal_divisor
 /// \throws Infeasible_divisor_error with the mathematical reason: wrong degree, order below -3, genus 1 with one zero and
 ///         one pole of order one, rank of the Jacobian below 2g, singularities that run into each other
 /// \throws Numerical_error if no lattice vector can be reached within the iterations
+/// \throws Error if the solver of `options` breaks the contract of `ClosestVectorSolver`
 /// Source: METHOD, step 5; paper, section 4.5.
 Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& periods, const Divisor& divisor,
                                const Legalization_options& options, Visitor& visitor);
@@ -67,8 +71,18 @@ struct Lattice_candidates
   bool                         optimal;   ///< the first is certified to be a closest one
 };
 
-/// solves the closest vector problem of a divisor.
+/// the Gram matrix W of a norm in the coordinates x = F / (pi/2): |x|^2 = x^T W x.
+///
+/// With Pi = X + iY and x = (p, q) by the canonical classes a and b, the norms of C^g are those of z = -q + Pi p, so
+/// that the invariant norm is (X p - q)^T Y^-1 (X p - q) + p^T Y p. Its matrix is the inverse of the Dirichlet products: a
+/// change U of the canonical basis takes x to U x and W to U^-T W U^-1.
+/// \param jacobian the derivative of F by the positions, 2g rows; used by `Lattice_norm::movement` only
+/// \pre `jacobian` has rank 2g if it is used
+Eigen::MatrixXd lattice_gram(Lattice_norm norm, const Eigen::MatrixXd& jacobian, const Eigen::MatrixXcd& pi);
+
+/// solves the closest vector problem of a divisor with the solver of `options`.
 /// \throws Infeasible_divisor_error if the rank of its Jacobian is below 2g
+/// \throws Error if there is no solver, or its answer breaks the contract of `ClosestVectorSolver`
 Lattice_candidates nearest_lattice_vectors(const internal::Moving_divisor& d, const Period_matrix& periods,
                                            const Legalization_options& options);
 

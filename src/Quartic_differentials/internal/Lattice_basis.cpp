@@ -17,13 +17,32 @@ namespace {
 
 const double lovasz_delta = 0.99;
 
-std::vector<double> lower_triangle(const Eigen::MatrixXd& gram)
+// the symmetric matrix with this lower triangle, by rows
+std::vector<double> symmetric_entries(const Eigen::MatrixXd& gram)
 {
   const int n = static_cast<int>(gram.rows());
-  std::vector<double> entries(n * n, 0.0);   // by rows
+  std::vector<double> entries(n * n);
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j <= i; ++j) entries[i * n + j] = gram(i, j);
+    for (int j = 0; j <= i; ++j) entries[i * n + j] = entries[j * n + i] = gram(i, j);
   return entries;
+}
+
+const int most_long_bits = 126;
+
+// empty if some number does not fit
+std::vector<Long_integer> long_integers(const std::vector<Big_integer>& numbers)
+{
+  std::vector<Long_integer> result;
+  for (const Big_integer& n : numbers) {
+    if (n != 0 && static_cast<int>(msb(abs(n))) >= most_long_bits) return {};
+    result.push_back(static_cast<Long_integer>(n));
+  }
+  return result;
+}
+
+[[noreturn]] void throw_not_positive_definite()
+{
+  throw Numerical_error("the Gram matrix of a lattice is not positive definite");
 }
 
 // the rotation of rows k-1 and k that makes column k-1 of R upper triangular again
@@ -66,6 +85,18 @@ double rounded(const Big_integer& n, int exponent)
   return n < 0 ? -x : x;
 }
 
+double rounded(Long_integer n, int exponent)
+{
+  return std::ldexp(static_cast<double>(n), exponent);
+}
+
+double rounded_down(const Big_integer& n, int exponent)
+{
+  if (n == 0) return 0;
+  const int extra = std::max(0, static_cast<int>(msb(n)) - 52);
+  return std::ldexp(static_cast<double>(static_cast<std::int64_t>(n >> extra)), extra + exponent);
+}
+
 std::int64_t checked_sum(std::int64_t a, std::int64_t b)
 {
   std::int64_t c;
@@ -93,32 +124,52 @@ Eigen::MatrixXd cholesky_factor(const Eigen::MatrixXd& gram)
 }
 
 Lattice_basis::Lattice_basis(const Eigen::MatrixXd& gram)
-  : m_w(lower_triangle(gram)),
-    m_basis(Integer_matrix::Identity(gram.rows(), gram.rows())), m_inverse(m_basis)
+  : m_w(symmetric_entries(gram)), m_long_w(long_integers(m_w.integer)),
+    m_basis(Integer_matrix::Identity(gram.rows(), gram.rows())), m_dual(m_basis),
+    m_gram(gram.selfadjointView<Eigen::Lower>())
 {
   const int most_passes = 50;   // two or three are usual
-  update_gram();
+  if (!(m_gram.diagonal().array() > 0).all()) throw_not_positive_definite();
   for (int pass = 0; pass < most_passes && reduce_once(); ++pass) update_gram();
 }
 
 // U^T W U in exact arithmetic, then rounded
 void Lattice_basis::update_gram()
 {
+  if (fits_long_integers()) update_gram(m_long_w);
+  else                      update_gram(m_w.integer);
+}
+
+// whether all sums of U^T W U, and of W U, are below 2^most_long_bits, by the largest entry of W and the largest column
+// sum of |U|
+bool Lattice_basis::fits_long_integers() const
+{
+  if (m_long_w.empty()) return false;
+  const double norm = m_basis.cast<double>().cwiseAbs().colwise().sum().maxCoeff();
+  double largest = 0;
+  for (Long_integer w : m_long_w) largest = std::max(largest, std::abs(static_cast<double>(w)));
+  return largest * norm * norm < std::ldexp(1.0, most_long_bits - 1);   // a factor of 2 for rounding
+}
+
+template <class Integer>
+void Lattice_basis::update_gram(const std::vector<Integer>& w)
+{
   const int n = dimension();
-  m_gram.resize(n, n);
-  std::vector<Big_integer> w_u(n);
+  std::vector<Integer> w_u(n);
   for (int k = 0; k < n; ++k) {
     std::fill(w_u.begin(), w_u.end(), 0);
-    for (int j = 0; j < n; ++j)
-      if (m_basis(j, k) != 0)
-        for (int i = 0; i < n; ++i) w_u[i] += w(i, j) * m_basis(j, k);
+    for (int j = 0; j < n; ++j) {
+      const std::int64_t u = m_basis(j, k);
+      if (u == 0) continue;
+      for (int i = 0; i < n; ++i) w_u[i] += w[j * n + i] * u;
+    }
     for (int l = 0; l <= k; ++l) {
-      Big_integer sum = 0;
+      Integer sum = 0;
       for (int i = 0; i < n; ++i)
         if (m_basis(i, l) != 0) sum += w_u[i] * m_basis(i, l);
       m_gram(k, l) = m_gram(l, k) = rounded(sum, m_w.exponent);
     }
-    if (!(m_gram(k, k) > 0)) throw Numerical_error("the Gram matrix of a lattice is not positive definite");
+    if (!(m_gram(k, k) > 0)) throw_not_positive_definite();
   }
 }
 
@@ -133,8 +184,8 @@ bool Lattice_basis::reduce_once()
   std::size_t swaps = 0;
   for (int k = 1; k < n;) {
     for (int j = k - 1; j >= 0; --j) {
+      if (std::abs(R(j, k)) <= 0.5 * std::abs(R(j, j))) continue;
       const double q = std::round(std::min(std::max(R(j, k) / R(j, j), -largest_step), largest_step));
-      if (q == 0) continue;
       R.col(k).head(j + 1) -= q * R.col(j).head(j + 1);
       subtract(k, static_cast<std::int64_t>(q), j);
       changed = true;
@@ -159,14 +210,14 @@ void Lattice_basis::subtract(int k, std::int64_t q, int j)
 {
   for (int i = 0; i < dimension(); ++i) {
     m_basis(i, k) = checked_sum(m_basis(i, k), checked_product(-q, m_basis(i, j)));
-    m_inverse(j, i) = checked_sum(m_inverse(j, i), checked_product(q, m_inverse(k, i)));
+    m_dual(i, j) = checked_sum(m_dual(i, j), checked_product(q, m_dual(i, k)));
   }
 }
 
 void Lattice_basis::swap(int j, int k)
 {
   m_basis.col(j).swap(m_basis.col(k));
-  m_inverse.row(j).swap(m_inverse.row(k));
+  m_dual.col(j).swap(m_dual.col(k));
 }
 
 Big_integer Lattice_basis::squared_norm(const std::vector<Big_integer>& v) const

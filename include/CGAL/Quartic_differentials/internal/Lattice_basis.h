@@ -17,6 +17,7 @@ namespace Quartic_differentials {
 namespace internal {
 
 using Big_integer = boost::multiprecision::cpp_int;
+__extension__ using Long_integer = __int128;   // __extension__: ISO C++ has none
 
 /// Doubles as integers times a common power of two, exactly.
 struct Dyadic_numbers
@@ -29,6 +30,10 @@ struct Dyadic_numbers
 
 /// n * 2^exponent with a relative error below 2^-52
 double rounded(const Big_integer& n, int exponent);
+double rounded(Long_integer n, int exponent);
+
+/// the largest double that is not above n * 2^exponent, if that is a normal number. \pre n >= 0
+double rounded_down(const Big_integer& n, int exponent);
 
 /// sums and products of 64-bit integers. \throws Numerical_error if they leave the range
 std::int64_t checked_sum(std::int64_t a, std::int64_t b);
@@ -48,7 +53,7 @@ public:
 
   int dimension() const { return static_cast<int>(m_basis.rows()); }
   const Integer_matrix& basis()   const { return m_basis; }     ///< U, by columns
-  const Integer_matrix& inverse() const { return m_inverse; }   ///< U^-1
+  const Integer_matrix& dual()    const { return m_dual; }      ///< U^-T, by columns
   const Eigen::MatrixXd& gram()   const { return m_gram; }      ///< U^T W U, every entry within 2^-52 of the exact one
 
   /// v^T W v for a vector of big integers, in units of 2^norm_exponent()
@@ -56,15 +61,18 @@ public:
   int norm_exponent() const { return m_w.exponent; }
 
 private:
-  const Big_integer& w(int i, int j) const { return m_w.integer[i < j ? j * dimension() + i : i * dimension() + j]; }
+  const Big_integer& w(int i, int j) const { return m_w.integer[i * dimension() + j]; }
   void update_gram();
+  template <class Integer> void update_gram(const std::vector<Integer>& w);
+  bool fits_long_integers() const;
   bool reduce_once();
   void subtract(int k, std::int64_t q, int j);
   void swap(int j, int k);
 
-  Dyadic_numbers  m_w;
-  Integer_matrix  m_basis, m_inverse;
-  Eigen::MatrixXd m_gram;
+  Dyadic_numbers            m_w;        // by rows, symmetric
+  std::vector<Long_integer> m_long_w;   // the same, empty if they do not fit
+  Integer_matrix            m_basis, m_dual;
+  Eigen::MatrixXd           m_gram;
 };
 
 /// the upper triangular R with R^T R = gram; pivots below 2^-52 of the diagonal entry are replaced by that.
