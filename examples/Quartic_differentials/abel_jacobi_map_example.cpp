@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Abel's theorem: which divisors belong to meromorphic functions, that is, go to the origin of the Jacobian?
-// On a torus: zeros p, q and poles r, s if and only if p + q = r + s in its group. Round the axis that is a sum of angles,
-// 0 + 90 = 180 + 270 degrees for the first divisor below, and 0 + 180 against 90 + 270 for the second.
+// On a torus: zeros p, q and poles r, s if and only if p + q = r + s in its group. Round the axis these are sums of
+// angles, 0 + 90 = 180 + 270 degrees for the first divisor below, and 0 + 180 against 90 + 270 for the second.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

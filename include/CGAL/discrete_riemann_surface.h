@@ -27,9 +27,10 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// Steps 1 to 5 on a mesh of the user's. Each function stands alone: it takes a model of `FaceListGraph`, closed, connected
-// and of triangles, and the named parameters of `intrinsic_triangulation()`, `halfedge_index_map` and `face_index_map`. An
-// application that needs several of them makes one `Discrete_riemann_surface`, which has them as members.
+// Steps 1 to 5 on a mesh of the user's. Each function stands alone: it takes a model of `FaceListGraph`, closed,
+// connected and of triangles, and the named parameters of `intrinsic_triangulation()`, `halfedge_index_map` and
+// `face_index_map`. An application that needs several of them makes one `Discrete_riemann_surface`, which has them as
+// members.
 
 /// A point of a mesh with its order in a divisor: positive for zeros, negative for poles.
 template <class TriangleMesh>
@@ -230,8 +231,8 @@ private:
   std::shared_ptr<const Data> m_data;
 };
 
-/// finds a canonical homology basis, deterministically: short closed walks of halfedges, tunnel loops a_i and handle loops
-/// b_i where the mesh lies in space without meeting itself.
+/// finds a canonical homology basis, deterministically: short closed walks of halfedges, tunnel loops a_i and handle
+/// loops b_i where the mesh lies in space without meeting itself.
 /// \param np see `intrinsic_triangulation()`
 /// Complexity: O(n log n); no linear system is solved.
 /// Source: METHOD, step 1.

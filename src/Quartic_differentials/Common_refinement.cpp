@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/Common_refinement.h>
+#include <CGAL/Quartic_differentials/internal/require_embedded.h>
 
 #include <algorithm>
 #include <cmath>
@@ -417,7 +418,7 @@ std::string Common_refinement::defect(const Intrinsic_triangulation& c) const
 
 Point_3 position_on_input(const Intrinsic_triangulation& t, const Surface_point& p)
 {
-  CGAL_precondition(t.is_embedded());
+  internal::require_embedded(t, "the place of a point in space");
   const auto h = t.halfedges(p.face);
   double x = 0, y = 0, z = 0;
   for (int k = 0; k < 3; ++k) {

@@ -91,7 +91,7 @@ Eigen::VectorXd Abel_jacobi_map::residual(const Divisor& divisor) const
   Lifted_divisor points;
   std::vector<int> orders;
   for (const Singularity& s : divisor) {
-    points.push_back(lift(s.location));
+    points.push_back({s.location, Eigen::RowVectorXd::Zero(dimension()), 1});
     orders.push_back(s.order);
   }
   return residual(points, orders);

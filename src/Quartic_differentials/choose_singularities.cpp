@@ -94,6 +94,9 @@ public:
     Chosen_singularities result;
     for (Singularity_start start : starts()) explore(start, result.starts);
     const std::optional<Legal_candidate> legal = m_counts.wanted != 0 ? with_count(m_counts.wanted) : with_fewest();
+    if (!legal && m_refusal.empty())
+      throw Infeasible_divisor_error("no singularities were found: the surface has too few vertices at which they could "
+                                     "start; subdivide its triangles");
     if (!legal)
       throw Infeasible_divisor_error("no choice of singularities could be moved so that it satisfies the Abel-Jacobi "
                                      "condition: " + m_refusal);

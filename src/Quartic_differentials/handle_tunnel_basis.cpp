@@ -7,6 +7,7 @@
 #include <CGAL/Quartic_differentials/internal/Lattice_basis.h>
 #include <CGAL/Quartic_differentials/internal/integer_matrix.h>
 #include <CGAL/Quartic_differentials/internal/linking_number.h>
+#include <CGAL/Quartic_differentials/internal/require_embedded.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -201,7 +202,8 @@ Big_integer_matrix reduced(const Big_integer_matrix& basis)
 // pushed off to the outside links it, and a tunnel class links nothing inside: h V+ = 0 = t V-. Hence (h + t) V+ = t V+
 // = t (V+ - V-) = -t J: the projections to tunnel and handle classes are the integer matrices -V+ J^-1 and V- J^-1.
 // That they are complementary projections of rank g and that M = T J H^T is unimodular is checked.
-std::optional<Big_integer_matrix> dual_classes(const Big_integer_matrix& v_plus, const Big_integer_matrix& v_minus, bool outward)
+std::optional<Big_integer_matrix> dual_classes(const Big_integer_matrix& v_plus, const Big_integer_matrix& v_minus,
+                                               bool outward)
 {
   const int n = static_cast<int>(v_plus.rows()), g = n / 2;
   const Big_integer_matrix j = widened(symplectic_unit(g));
@@ -225,6 +227,7 @@ std::optional<Big_integer_matrix> dual_classes(const Big_integer_matrix& v_plus,
 
 Linking_matrices linking_matrices(const Intrinsic_triangulation& t, const std::vector<std::vector<Halfedge>>& loops)
 {
+  internal::require_embedded(t, "a linking number");
   const Linking_form form(t, loops);
   for (int k = 0; k < internal::Projection::number; ++k)
     if (const auto v = form.read_off(internal::Projection(k))) return *v;

@@ -340,8 +340,9 @@ void search_across(const Intrinsic_triangulation& t, const Class& x, const Class
     catalogue.add_root(vertex_on(t, walk, i, vertices));
 }
 
-// The shortest walk through a vertex in a class, by Dijkstra's algorithm in the homology cover: a place is a vertex with
-// the class of the way to it, and the way back is at least as long as in the surface (A*). Nothing if there are too many.
+// The shortest walk through a vertex in a class, by Dijkstra's algorithm in the homology cover: a place is a vertex
+// with the class of the way to it, and the way back is at least as long as in the surface (A*). Nothing if there are
+// too many places.
 std::optional<Edge_loop> loop_in_cover(const Intrinsic_triangulation& t, const Integer_cochains& eta, const Class& x,
                                        Vertex root)
 {

@@ -134,8 +134,9 @@ Divisor curvature_divisor(const Intrinsic_triangulation& t, const std::vector<do
     if (at_maxima.size() == poles && at_minima.size() == zeros) candidates.push_back(simple_divisor(t, at_maxima, at_minima));
   }
   if (candidates.empty())
-    throw Infeasible_divisor_error("the surface has no room for " + std::to_string(counts.front()) + " singularities "
-                                   + std::to_string(separation) + " sqrt(area) apart");
+    throw Infeasible_divisor_error("the surface has no room for " + std::to_string(counts.front()) + " singularities: "
+                                   "the vertices at which they start are too few or too near each other; use fewer, or "
+                                   "subdivide the triangles");
   const std::vector<double> ranges = ranges_of_scales(t, laplacian, candidates);
   const double enough = slack * *std::min_element(ranges.begin(), ranges.end());
   return candidates[std::find_if(ranges.begin(), ranges.end(), [&](double r) { return r <= enough; }) - ranges.begin()];

@@ -96,6 +96,7 @@ Symmetric_factorization& Symmetric_factorization::operator=(Symmetric_factorizat
 
 void Symmetric_factorization::factorize(const Sparse_matrix& lower)
 {
+  if (lower.rows() == 0) return;   // of a surface with one vertex: there is nothing to solve for
   Implementation& s = *m_implementation;
   if (!same_pattern(s.matrix, lower)) s.solver.analyzePattern(lower);
   s.matrix = lower;
@@ -106,7 +107,7 @@ void Symmetric_factorization::factorize(const Sparse_matrix& lower)
 
 Eigen::MatrixXd Symmetric_factorization::solve(const Eigen::MatrixXd& right_hand_sides) const
 {
-  if (right_hand_sides.cols() == 0) return right_hand_sides;
+  if (right_hand_sides.size() == 0) return right_hand_sides;
   const Eigen::MatrixXd x = m_implementation->solver.solve(right_hand_sides);
   if (!x.allFinite()) throw Numerical_error("a linear system has no finite solution: the triangulation is degenerate");
   return x;

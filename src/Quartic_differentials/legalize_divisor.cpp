@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace CGAL {
@@ -66,6 +67,20 @@ Legal_divisor result_of(const Moving_divisor& d, const Eigen::VectorXd& m, std::
   legal.nearest = m;
   legal.residual = d.residual() - quarter_turn * m;
   legal.history = std::move(history);
+  return legal;
+}
+
+// The divisor as it is, if it is legal: at vertices too, where a `Moving_divisor` does not begin.
+std::optional<Legal_divisor> legal_as_it_is(const Abel_jacobi_map& map, const Divisor& divisor, double tolerance)
+{
+  const Eigen::VectorXd f = map.residual(divisor);
+  Legal_divisor legal;
+  legal.nearest = (f / quarter_turn).array().round();
+  legal.residual = f - quarter_turn * legal.nearest;
+  if (!divisor.empty() && legal.residual.norm() > tolerance) return std::nullopt;
+  legal.divisor = divisor;
+  legal.moved_by.assign(divisor.size(), 0);
+  legal.history = {legal.residual.norm()};
   return legal;
 }
 
@@ -149,10 +164,7 @@ Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& 
   if (const std::string reason = collision(t, start.divisor(), options.least_distance, size); !reason.empty())
     throw Infeasible_divisor_error("too near each other: " + reason);
 
-  const Eigen::VectorXd x = start.residual() / quarter_turn;
-  const Eigen::VectorXd rounded = x.array().round();
-  if (divisor.empty() || quarter_turn * (x - rounded).norm() <= options.tolerance)   // legal as it is
-    return result_of(start, rounded, {quarter_turn * (x - rounded).norm()});
+  if (const std::optional<Legal_divisor> legal = legal_as_it_is(map, divisor, options.tolerance)) return *legal;
 
   const Lattice_candidates candidates = nearest_lattice_vectors(start, periods, options);
   const internal::Newton_limits limits{options.tolerance, options.iterations, options.longest_step * size};

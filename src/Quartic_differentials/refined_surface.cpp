@@ -8,6 +8,7 @@
 #include <CGAL/Quartic_differentials/internal/cone_insertion.h>
 #include <CGAL/Quartic_differentials/internal/flat_metric_errors.h>
 #include <CGAL/Quartic_differentials/internal/flip_towards_input.h>
+#include <CGAL/Quartic_differentials/internal/require_embedded.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/refined_surface.h>
 
@@ -245,6 +246,7 @@ Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, co
 Refined_surface refined_surface(const Intrinsic_triangulation& input, const Refined_cone_metric& metric,
                                 const std::vector<double>& u, const Quartic_differential& delaunay)
 {
+  internal::require_embedded(input, "the refined surface");
   Common_refinement refinement = metric.refinement;
   Quartic_differential flat = in_the_plane(delaunay);
   refinement.rescale(flat.triangulation, u);

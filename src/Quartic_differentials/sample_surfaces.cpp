@@ -7,6 +7,7 @@
 #include <CGAL/boost/graph/generators.h>
 
 #include <cmath>
+#include <utility>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -14,6 +15,12 @@ namespace Quartic_differentials {
 namespace {
 
 const double pi = CGAL_PI;
+
+Glued_triangles subdivided(Glued_triangles s, int subdivisions)
+{
+  for (int i = 0; i < subdivisions; ++i) s = CGAL::Quartic_differentials::subdivided(s);
+  return s;
+}
 
 } // namespace
 
@@ -73,8 +80,37 @@ Glued_triangles hyperelliptic(int g, int subdivisions)
       s.lengths.push_back({radius, 1, radius});
     }
   }
-  for (int i = 0; i < subdivisions; ++i) s = subdivided(s);
-  return s;
+  return subdivided(std::move(s), subdivisions);
+}
+
+Glued_triangles regular_polygon(int g, int subdivisions)
+{
+  CGAL_precondition(g >= 1 && subdivisions >= 0);
+  const int n = 4 * g;
+  const double radius = 1 / (2 * std::sin(pi / n));
+  Glued_triangles s;
+  for (int k = 0; k < n; ++k) {
+    s.triangles.push_back({1, 0, 0});   // the centre, and the corners, which are all one point
+    s.opposite.push_back({{{(k + n - 1) % n, 2}, {(k + n / 2) % n, 1}, {(k + 1) % n, 0}}});
+    s.lengths.push_back({radius, 1, radius});
+  }
+  return subdivided(std::move(s), subdivisions);
+}
+
+Glued_triangles l_of_three_squares(int subdivisions)
+{
+  CGAL_precondition(subdivisions >= 0);
+  const int beside[3] = {1, 0, 2}, above[3] = {2, 1, 0};   // to the left as to the right, and below as above
+  const double diagonal = std::sqrt(2.0);
+  Glued_triangles s;
+  for (int k = 0; k < 3; ++k) {
+    s.opposite.push_back({{{2 * above[k] + 1, 1}, {2 * beside[k] + 1, 2}, {2 * k + 1, 0}}});
+    s.opposite.push_back({{{2 * k, 2}, {2 * above[k], 0}, {2 * beside[k], 1}}});
+    s.lengths.push_back({1, 1, diagonal});
+    s.lengths.push_back({diagonal, 1, 1});
+  }
+  s.triangles.assign(6, {0, 0, 0});
+  return subdivided(std::move(s), subdivisions);
 }
 
 Glued_triangles subdivided(const Glued_triangles& s)

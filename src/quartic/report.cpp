@@ -180,7 +180,8 @@ Json singularities_report(const Run_facts& facts, const Quartic_differential_res
   Json list = Json::array();
   for (std::size_t i = 0; i < r.singularities.size(); ++i) {
     const Singularity& s = r.singularities[i];
-    Json entry = {{"order", s.order}, {"valence", s.order + 4}, {"pinned", s.pinned}};
+    Json entry = {{"order", s.order}, {"valence", s.order + 4}, {"pinned", s.pinned},
+                  {"face", s.location.face.idx()}, {"barycentric", s.location.barycentric}};
     if (facts.input->is_embedded()) entry["position"] = point(position_on_input(*facts.input, s.location));
     if (facts.input->is_embedded())
       entry["started_at"] = point(position_on_input(*facts.input, r.surface->refinement->to_input((*r.initial)[i].location)));

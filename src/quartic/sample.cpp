@@ -5,6 +5,7 @@
 #include "commands.h"
 
 #include <CGAL/Quartic_differentials/IO/surface_json.h>
+#include <CGAL/Quartic_differentials/branched_cover.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
 #include <CGAL/Quartic_differentials/spoiled_surfaces.h>
@@ -14,10 +15,17 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
+#include <complex>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <memory>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 using namespace CGAL::Quartic_differentials;
 
@@ -25,7 +33,7 @@ namespace {
 
 struct Sample_options
 {
-  std::string kind, file;
+  std::string kind, file, branch_points;
   int         genus = 2, resolution = 0, subdivisions = -1;   // out of range: the default of the kind
   double      R = 2, r = 1;
   double      stretch = 1, noise = 0, slivers = 0;
@@ -39,9 +47,43 @@ void say(const Sample_options& options, const Intrinsic_triangulation& t)
             << t.number_of_faces() << " faces\n";
 }
 
+// Surfaces that are known by their edge lengths alone
+const std::set<std::string> glued_kinds = {"hyperelliptic", "polygon", "l", "cover"};
+
+double coordinate(const std::string& text)
+{
+  char* end = nullptr;
+  const double x = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(x)) throw Error("--branch: \"" + text + "\" is not a number");
+  return x;
+}
+
+// "x,y;x,y;..." with x alone for a real point, and inf
+std::vector<std::complex<double>> parsed_branch_points(const std::string& text)
+{
+  std::vector<std::complex<double>> points;
+  std::istringstream list(text);
+  for (std::string point; std::getline(list, point, ';'); ) {
+    const std::size_t comma = point.find(',');
+    if (point == "inf") points.push_back(std::numeric_limits<double>::infinity());
+    else if (comma == std::string::npos) points.push_back(coordinate(point));
+    else points.emplace_back(coordinate(point.substr(0, comma)), coordinate(point.substr(comma + 1)));
+  }
+  return points;
+}
+
+Glued_triangles glued(const Sample_options& options)
+{
+  const auto subdivisions = [&](int otherwise) { return options.subdivisions < 0 ? otherwise : options.subdivisions; };
+  if (options.kind == "polygon") return regular_polygon(options.genus, subdivisions(4));
+  if (options.kind == "l") return l_of_three_squares(subdivisions(4));
+  if (options.kind == "cover") return branched_cover(parsed_branch_points(options.branch_points), subdivisions(2));
+  return hyperelliptic(options.genus, subdivisions(3));
+}
+
 void write_glued(const Sample_options& options)
 {
-  const Glued_triangles surface = hyperelliptic(options.genus, options.subdivisions < 0 ? 3 : options.subdivisions);
+  const Glued_triangles surface = glued(options);
   std::ofstream out(options.file);
   write_surface_json(out, surface);
   out.close();
@@ -85,9 +127,11 @@ void write_embedded(const Sample_options& options)
 void check_usage(const Sample_options& options)
 {
   const bool json = std::filesystem::path(options.file).extension() == ".json";
-  if (options.kind == "hyperelliptic") {
-    if (options.genus < 1) throw Error("a hyperelliptic surface has at least genus 1");
-    if (!json) throw Error("a hyperelliptic surface is known by its edge lengths only: name a .json file");
+  if (glued_kinds.count(options.kind)) {
+    if (options.genus < 1) throw Error("this surface has at least genus 1");
+    if (!json) throw Error("this surface is known by its edge lengths only: name a .json file");
+    if (options.kind == "cover" && options.branch_points.empty()) throw Error("a cover needs --branch");
+    if (options.kind == "cover" && options.subdivisions > 6) throw Error("a cover can be refined up to -s 6");
   } else if (json) {
     throw Error("surfaces in space are written as .off, .obj, .ply or .stl");
   }
@@ -97,7 +141,7 @@ void check_usage(const Sample_options& options)
 void sample(const Sample_options& options)
 {
   check_usage(options);
-  if (options.kind == "hyperelliptic") write_glued(options);
+  if (glued_kinds.count(options.kind)) write_glued(options);
   else write_embedded(options);
 }
 
@@ -112,20 +156,26 @@ void add_sample(CLI::App& app)
     "torus           the torus of revolution (genus 1)\n"
     "chain           a bent plate with holes in a row (any genus)\n"
     "ring            a bent disk with holes on a circle (any genus)\n"
-    "hyperelliptic   the curve y^2 = x^(2g+2) - 1, glued from four regular polygons (any genus >= 1)")
-    ->required()->check(CLI::IsMember({"sphere", "torus", "chain", "ring", "hyperelliptic"}));
+    "hyperelliptic   the curve y^2 = x^(2g+2) - 1, glued from four regular polygons (any genus >= 1)\n"
+    "polygon         the curve y^2 = x (x^(2g) - 1): opposite sides of a regular 4g-gon are glued (any genus >= 1)\n"
+    "l               the L of three unit squares, opposite sides glued (genus 2)\n"
+    "cover           the curve y^2 = (x - e1) (x - e2) ..., a double cover of the sphere; needs --branch")
+    ->required()->check(CLI::IsMember({"sphere", "torus", "chain", "ring", "hyperelliptic", "polygon", "l", "cover"}));
   command->add_option("-o,--output", options->file,
-                      "File to write: .off, .obj, .ply, .stl; .json for hyperelliptic")->required();
-  command->add_option("-g,--genus", options->genus, "Number of holes of chain, ring, hyperelliptic (2)")
+                      "File to write: .off, .obj, .ply, .stl; .json for hyperelliptic, polygon, l, cover")->required();
+  command->add_option("-g,--genus", options->genus, "Number of holes of chain, ring, hyperelliptic, polygon (2)")
          ->check(CLI::Range(0, 50));
   command->add_option("-n,--resolution", options->resolution,
                       "Edges across the strip between two holes of chain and ring (8); edges round the axis of torus (60)")
          ->check(CLI::Range(6, 1000));
   command->add_option("-s,--subdivisions", options->subdivisions,
-                      "How often each triangle is split into four (sphere 4, hyperelliptic 3, otherwise 0)")
+                      "How often each triangle is split into four (sphere, polygon, l 4, hyperelliptic 3, otherwise 0); "
+                      "for cover, how often the size of triangles is halved (2)")
          ->check(CLI::Range(0, 8));
   command->add_option("-R", options->R, "Radius of the torus (2)")->check(CLI::PositiveNumber);
   command->add_option("-r", options->r, "Radius of the circle that makes the torus (1)")->check(CLI::PositiveNumber);
+  command->add_option("--branch", options->branch_points,
+                      "Branch points of cover, an even number: \"x,y;x,y;...\", x for a real one, inf for infinity");
   const std::string spoil = "To make it bad";
   command->add_option("--noise", options->noise, "Move every vertex at random by up to this part of the mean edge length")
          ->check(CLI::Range(0.0, 10.0))->group(spoil);

@@ -82,6 +82,8 @@ void print_summary(std::ostream& out, const Json& report)
         + std::to_string(report["tmesh"]["t_junctions"].get<int>()) + " T-junctions");
   else if (report["status"] == "done")
     row(out, "T-mesh", "none: it starts from singularities, and there is none");
+  if (!input["embedded"].get<bool>())
+    row(out, "not written", "flat.obj, tmesh.vtp, loops.obj, singularities.txt: the surface has no positions in space");
   row(out, "time", number(report["timings"]["total"]) + " s, "
       + number(report["peak_memory_bytes"].get<double>() / (1 << 20)) + " MiB");
 }

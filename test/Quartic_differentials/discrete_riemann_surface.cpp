@@ -5,6 +5,7 @@
 // Steps 1 to 5 as an application calls them, on meshes of its own type.
 
 #include "check.h"
+#include "hyperelliptic_periods.h"
 #include "period_comparison.h"
 #include "test_surfaces.h"
 
@@ -165,7 +166,8 @@ void test_legalization()
   const Surface_mesh mesh = as<Surface_mesh>(QD::torus(2, 1, 30, 16));
   QD::Mesh_divisor<Surface_mesh> divisor;
   for (unsigned i = 0; i < 6; ++i)
-    divisor.push_back({PMP::locate_vertex<double>(Surface_mesh::Vertex_index(i * 77), mesh), i % 2 == 0 ? 1 : -1, i == 3});
+    divisor.push_back({PMP::locate_vertex<double>(Surface_mesh::Vertex_index(i * 77), mesh), i % 2 == 0 ? 1 : -1,
+                       i == 3});
   QD::Legalization_options options;
   options.norm = QD::Lattice_norm::paper;
   CHECK(QD::abel_jacobi_map(mesh, divisor).distance_from_origin() > 1e-3);

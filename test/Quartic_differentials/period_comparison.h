@@ -106,24 +106,6 @@ inline double distance_modulo_symplectic(const Eigen::MatrixXcd& pi, const Eigen
   return Symplectic_match(gram_of_periods(pi), truth, tolerance).of_period_matrices();
 }
 
-/// The period matrix of y^2 = x^(2g+2) - 1, in closed form. Let zeta = exp(2 pi i / (2g+2)) and gamma_0 the cycle over the
-/// segment between two neighbouring branch points. The automorphism (x, y) -> (zeta x, y) takes gamma_k to gamma_(k+1)
-/// and multiplies x^j dx/y by zeta^(j+1), so the periods are zeta^(k (j+1)) up to factors that normalisation cancels;
-/// a_i = gamma_(2i-1), b_i = Sum_(k>=i) gamma_(2k).
-inline Eigen::MatrixXcd hyperelliptic_periods(int g)
-{
-  const auto period = [g](int k, int j) { return std::polar(1.0, 2 * std::acos(-1.0) * k * (j + 1) / (2 * g + 2)); };
-  Eigen::MatrixXcd a(g, g), b = Eigen::MatrixXcd::Zero(g, g);
-  for (int i = 0; i < g; ++i)
-    for (int j = 0; j < g; ++j) {
-      a(i, j) = period(2 * i, j);
-      for (int k = i; k < g; ++k) b(i, j) += period(2 * k + 1, j);
-    }
-  Eigen::MatrixXcd pi = b * a.inverse();
-  if (pi(0, 0).imag() < 0) pi = -pi;   // the other orientation of the chain of cycles
-  return pi;
-}
-
 } // namespace Quartic_test
 
 #endif // CGAL_QUARTIC_DIFFERENTIALS_TEST_PERIOD_COMPARISON_H

@@ -5,43 +5,23 @@
 // The program as a user meets it: what it writes, what it prints, and its exit status.
 
 #include "check.h"
+#include "run_program.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <random>
-
-#include <sys/wait.h>
 
 namespace fs = std::filesystem;
 
-const fs::path folder = fs::temp_directory_path() / ("quartic_program_" + std::to_string(std::random_device{}()));
+using Quartic_test::Outcome;
+using Quartic_test::contains;
+using Quartic_test::contents;
 
-struct Outcome
-{
-  int         status;
-  std::string out, err;
-};
+const Quartic_test::Program_folder folder;
 
-std::string contents(const fs::path& path)
-{
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-// runs the program in the temporary folder
-Outcome quartic(const std::string& arguments)
-{
-  const std::string program = Quartic_test::environment("QUARTIC_PROGRAM");
-  const std::string command = "cd '" + folder.string() + "' && '" + program + "' " + arguments + " >out.txt 2>err.txt";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "out.txt"), contents(folder / "err.txt")};
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+Outcome quartic(const std::string& arguments) { return folder.quartic(arguments); }
 
 void check_failure(const std::string& arguments, int status, const std::string& message)
 {
@@ -68,6 +48,16 @@ void check_sample()
   CHECK(contains(quartic("sample chain -g 2 -n 6 -o chain.off").out, "genus 2"));
   CHECK(contains(quartic("sample torus -n 24 -o torus.ply").out, "genus 1"));
   CHECK(contains(quartic("sample hyperelliptic -g 3 -s 1 -o curve.json").out, "genus 3"));
+  CHECK(contains(quartic("sample polygon -g 3 -s 1 -o polygon.json").out, "genus 3, 20 vertices, 48 faces"));
+  CHECK(contains(quartic("sample l -s 0 -o l.json").out, "genus 2, 1 vertices, 6 faces"));
+  CHECK(contains(quartic("sample cover --branch '0;1,1;2,-.5;3;3.5,2;inf' -s 0 -o cover.json").out, "genus 2"));
+  for (const char* file : {"polygon.json", "l.json", "cover.json"})
+    CHECK_EQUAL(quartic(std::string("info ") + file).status, 0);
+  check_failure("sample cover -o cover.json", 1, "needs --branch");
+  check_failure("sample cover --branch '0;1;2' -o cover.json", 1, "even number");
+  check_failure("sample cover --branch '0;1;2;1' -o cover.json", 1, "the points 1 and 3 are the same");
+  check_failure("sample cover --branch '0;1;2;x' -o cover.json", 1, "\"x\" is not a number");
+  check_failure("sample cover --branch '0;1' -s 7 -o cover.json", 1, "up to -s 6");
   check_failure("sample hyperelliptic -g 3 -o curve.off", 1, "name a .json file");
   check_failure("sample torus -R 1 -r 2 -o t.off", 1, "-r smaller than -R");
   check_failure("sample ring -o nowhere/t.off", 1, "cannot be written");
@@ -88,7 +78,8 @@ void check_info()
     CHECK(report["homology"]["handles_and_tunnels"]["certified"] == in_space);
     for (const nlohmann::json& loop : report["homology"]["loops"]) {
       CHECK(loop["simple"] == true && loop["vertices"].size() >= 2);
-      CHECK_EQUAL(loop.value("kind", ""), !in_space ? "" : loop["name"].get<std::string>()[0] == 'a' ? "tunnel" : "handle");
+      const bool is_a = loop["name"].get<std::string>()[0] == 'a';
+      CHECK_EQUAL(loop.value("kind", ""), !in_space ? "" : is_a ? "tunnel" : "handle");
     }
   }
   CHECK(contains(quartic("info chain.off").out, "proved by linking numbers"));
@@ -199,13 +190,11 @@ int main()
     std::cout << "skipped: the environment variable QUARTIC_PROGRAM does not name the program" << std::endl;
     return Quartic_test::skipped;
   }
-  fs::create_directories(folder);
   check_help();
   check_sample();
   check_info();
   check_run();
   check_choice();
   check_refused_input();
-  fs::remove_all(folder);
   return Quartic_test::result();
 }

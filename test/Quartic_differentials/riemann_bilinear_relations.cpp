@@ -5,6 +5,7 @@
 // Steps 1 to 3: harmonic forms, zeros, Riemann's bilinear relations, and period matrices against the truth.
 
 #include "check.h"
+#include "hyperelliptic_periods.h"
 #include "named_surfaces.h"
 #include "period_comparison.h"
 

@@ -43,23 +43,35 @@ void check_glued(const Glued_triangles& s, int genus)
   CHECK_EQUAL(t.genus(), genus);
 }
 
-// y^2 = x^(2g+2) - 1: 2g+2 cones of angle 4 pi g/(g+1), flat elsewhere, area of four regular polygons
-void check_hyperelliptic(int g)
+// A flat surface: the curvature of its first vertices, which are cones, is given, and the others are flat. Subdivision
+// changes neither that nor the area, and splits every triangle into four.
+template <class Surface_at_level>
+void check_flat(Surface_at_level at_level, int genus, double area, std::size_t triangles, int cones, double curvature)
 {
-  const int n = 2 * g + 2;
-  double area = 0;
   for (int level = 0; level < 3; ++level) {
-    const Glued_triangles s = hyperelliptic(g, level);
-    check_glued(s, g);
-    CHECK_EQUAL(s.triangles.size(), static_cast<std::size_t>(4 * n) << (2 * level));
+    const Glued_triangles s = at_level(level);
+    check_glued(s, genus);
+    CHECK_EQUAL(s.triangles.size(), triangles << (2 * level));
     const Intrinsic_triangulation t(s);
-    CHECK_NEAR(t.area(), n / std::tan(pi / n), 1e-12 * n * n);
-    if (level > 0) CHECK_NEAR(t.area(), area, 1e-12 * n * n);
-    area = t.area();
+    CHECK_NEAR(t.area(), area, 1e-12 * triangles * triangles);
     const std::vector<double> k = curvatures(t, corner_angles(t, t.lengths()));
-    for (Vertex v : t.vertices())
-      CHECK_NEAR(k[v], static_cast<int>(v) < n ? 2 * pi - 4 * pi * g / (g + 1) : 0.0, 1e-12);
+    for (Vertex v : t.vertices()) CHECK_NEAR(k[v], static_cast<int>(v) < cones ? curvature : 0.0, 1e-12 * triangles);
   }
+}
+
+double area_of_regular_polygon(int n) { return n / (4 * std::tan(pi / n)); }
+
+// four regular polygons with 2g+2 cones of angle 4 pi g/(g+1), one with a cone of angle (4g-2) pi, and one of 6 pi
+void check_flat_surfaces()
+{
+  for (int g = 1; g <= 8; ++g) {
+    const int n = 2 * g + 2;
+    check_flat([g](int level) { return hyperelliptic(g, level); }, g, 4 * area_of_regular_polygon(n), 4 * n, n,
+               2 * pi - 4 * pi * g / (g + 1));
+    check_flat([g](int level) { return regular_polygon(g, level); }, g, area_of_regular_polygon(4 * g), 4 * g, 1,
+               2 * pi - (4 * g - 2) * pi);
+  }
+  check_flat([](int level) { return l_of_three_squares(level); }, 2, 3, 6, 1, 2 * pi - 6 * pi);
 }
 
 void check_subdivided_mesh()
@@ -82,7 +94,7 @@ int main()
       check_embedded(handle_chain(g, resolution), g);
       check_embedded(handle_ring(g, resolution), g);
     }
-  for (int g = 1; g <= 8; ++g) check_hyperelliptic(g);
+  check_flat_surfaces();
   check_subdivided_mesh();
   return Quartic_test::result();
 }

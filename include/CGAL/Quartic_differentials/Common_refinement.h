@@ -124,8 +124,8 @@ private:
   std::vector<Crossing_id>           m_first;       // by A edge
 };
 
-/// the position in space of a point of an embedded surface.
-/// \pre t.is_embedded()
+/// the position in space of a point of a surface.
+/// \throws Unusable_surface_error if `t` is not embedded
 Point_3 position_on_input(const Intrinsic_triangulation& t, const Surface_point& p);
 
 } } // namespace CGAL::Quartic_differentials

@@ -103,11 +103,11 @@ Intrinsic_triangulation copy_with_lengths(const TriangleMesh& mesh, const EdgeLe
 ///     \cgalParamDefault{`get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_length_map}
-///     \cgalParamDescription{the lengths of the edges, of `Quartic_differentials::parameters`: if it is given, points are
-///                           not looked at, and the surface need not lie in space. The mesh may be a Delta-complex:
+///     \cgalParamDescription{the lengths of the edges, of `Quartic_differentials::parameters`: if it is given, points
+///                           are not looked at, and the surface need not lie in space. The mesh may be a Delta-complex:
 ///                           edges may be parallel, or loops}
-///     \cgalParamType{a class model of `ReadablePropertyMap` with `edge_descriptor` as key type and values convertible to
-///                    `double`}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `edge_descriptor` as key type and values convertible
+///                    to `double`}
 ///     \cgalParamDefault{distances of the points}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_index_map}

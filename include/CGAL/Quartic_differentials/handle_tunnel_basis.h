@@ -52,7 +52,7 @@ struct Linking_matrices { Eigen::MatrixXi plus, minus; };
 /// computes the linking numbers of the loops gamma_k with each other, pushed off along the normals round which the
 /// faces are counterclockwise (`plus`) and against them (`minus`), exactly.
 /// If the surface is embedded, V+ - V- = -J and V+ transposed = V-, where J are the intersection numbers of the loops.
-/// \pre the surface `is_embedded()`
+/// \throws Unusable_surface_error if `t` is not embedded
 Linking_matrices linking_matrices(const Intrinsic_triangulation& t, const std::vector<std::vector<Halfedge>>& loops);
 
 } } // namespace CGAL::Quartic_differentials

@@ -25,9 +25,9 @@ struct Jacobian_point
 
 /// maps a divisor to the Jacobian. By Abel's theorem the image of a divisor of degree 0 is the origin if and only if it
 /// is the divisor of a meromorphic function: D and E are linearly equivalent if and only if D - E goes to the origin.
-/// Otherwise a divisor of degree 8g - 8 is compared with that of a quartic differential, four times a canonical divisor: it goes to
-/// the origin if and only if it is the divisor of one. On a mesh that holds up to the discretisation, O(h^2) on smooth
-/// surfaces.
+/// Otherwise a divisor of degree 8g - 8 is compared with that of a quartic differential, four times a canonical divisor:
+/// it goes to the origin if and only if it is the divisor of one. On a mesh that holds up to the discretisation, O(h^2)
+/// on smooth surfaces.
 /// \param divisor on the faces of the input of `s`
 /// \pre `s` was made from an `Intrinsic_triangulation`, not from a coarsened surface
 /// \throws Infeasible_divisor_error if the degree is neither 0 nor 8g - 8

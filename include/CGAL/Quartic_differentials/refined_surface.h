@@ -88,9 +88,9 @@ Mesh mesh_with_property_maps(const Refined_surface& refined);
 /// map, projective on every triangle), and on the grid point nearest to that place of the C edge, moved along it where
 /// points would come too near each other. On a seam one copy is computed, the other is its exact image. Cells are cut
 /// into triangles whose least altitude on the grid is largest.
-/// \param input embedded
 /// \param flat the quartic differential on `metric.triangulation`
 /// \param u log scales by vertex
+/// \throws Unusable_surface_error if `input` is not embedded
 /// Complexity: linear in vertices and crossings.
 /// Source: METHOD, step 7.
 Refined_surface refined_surface(const Intrinsic_triangulation& input, const Refined_cone_metric& metric,

@@ -40,6 +40,23 @@ Mesh handle_ring(int g, int resolution);
 /// \pre `g >= 1`, `subdivisions >= 0`. Complexity: linear in the size of the result. Source: METHOD, "Ground truth".
 Glued_triangles hyperelliptic(int g, int subdivisions);
 
+/// the curve y^2 = x (x^(2g) - 1), exactly: a regular 4g-gon with sides of length 1, opposite sides glued by a
+/// translation; it is a fan round its centre, `subdivided()` as often as asked. Genus 2 is Bolza's curve, from an
+/// octagon.
+///
+/// Triangle k of the fan lies on side k with its edge 1; the only cone, of angle (4g-2) pi, is vertex 0. Over x = 0
+/// lies the centre, over infinity the cone, and over the other branch points the midpoints of the sides.
+/// \pre `g >= 1`, `subdivisions >= 0`. Complexity: linear in the size of the result. Source: METHOD, "Ground truth".
+Glued_triangles regular_polygon(int g, int subdivisions);
+
+/// the L of three unit squares, opposite sides glued by translations: genus 2, one cone of angle 6 pi, vertex 0. Every
+/// square is cut along its diagonal in the direction (1, 1) and `subdivided()` as often as asked.
+///
+/// Square s has the triangles 2s, with edges bottom, right, diagonal, and 2s+1, with edges diagonal, top, left.
+/// Square 1 is to the right of square 0, square 2 above it.
+/// \pre `subdivisions >= 0`. Complexity: linear in the size of the result. Source: METHOD, "Ground truth".
+Glued_triangles l_of_three_squares(int subdivisions);
+
 /// splits every triangle into four at the midpoints of its edges. The surface does not change. Old vertices keep
 /// their index; triangle t becomes 4t, ..., 4t+3, the one at its corner c being 4t+c.
 /// \pre `s` is glued consistently. Complexity: linear.

@@ -5,8 +5,7 @@
 #include <CGAL/Quartic_differentials/IO/write_checkerboard.h>
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Quartic_differentials/internal/require_embedded.h>
 
 #include <cmath>
 #include <limits>
@@ -100,7 +99,7 @@ void write_flat_intrinsic_json(std::ostream& stream, const Quartic_differential&
 void write_flat_obj(const std::string& folder, const std::string& name, const Quartic_differential& q)
 {
   const Intrinsic_triangulation& t = q.triangulation;
-  CGAL_precondition(t.is_embedded());
+  internal::require_embedded(t, "an .obj file");
   const Texture_vertices texture = texture_vertices(q);
   internal::write_file(folder + "/" + name + ".obj", [&](std::ostream& stream) {
     Text_writer out(stream);

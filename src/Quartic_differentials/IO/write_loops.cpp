@@ -4,8 +4,7 @@
 
 #include <CGAL/Quartic_differentials/IO/write_loops.h>
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Quartic_differentials/internal/require_embedded.h>
 
 #include <ostream>
 
@@ -14,7 +13,7 @@ namespace Quartic_differentials {
 
 void write_loops_obj(std::ostream& stream, const Intrinsic_triangulation& t, const Handle_tunnel_loops& loops)
 {
-  CGAL_precondition(t.is_embedded());
+  internal::require_embedded(t, "loops.obj");
   internal::Text_writer out(stream);
   const int n = static_cast<int>(loops.loops.size());
   std::size_t vertices = 0;

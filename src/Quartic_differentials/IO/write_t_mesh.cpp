@@ -4,8 +4,7 @@
 
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
 #include <CGAL/Quartic_differentials/internal/patch_pieces.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Quartic_differentials/internal/require_embedded.h>
 
 #include <algorithm>
 #include <array>
@@ -284,7 +283,7 @@ void write_t_mesh_json(std::ostream& out, const T_mesh& t, const Quartic_differe
 
 void write_t_mesh_vtp(std::ostream& out, const T_mesh& t, const Quartic_differential& q)
 {
-  CGAL_precondition(q.triangulation.is_embedded());
+  internal::require_embedded(q.triangulation, "tmesh.vtp");
   Poly_data(t, q).write(out);
 }
 

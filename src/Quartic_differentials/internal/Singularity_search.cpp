@@ -75,7 +75,8 @@ Divisor Singularity_search::completed(Divisor divisor) const
     const std::vector<Vertex> place = extrema(divisor, w, -order, 1);   // poles at minima, zeros at maxima
     if (place.empty())
       throw Infeasible_divisor_error("the surface has no room for " + std::to_string(std::abs(missing))
-                                     + " more singularities " + std::to_string(from_singularities) + " sqrt(area) apart");
+                                     + " more singularities: the vertices at which they start are too few or too near "
+                                     "each other; use fewer, or subdivide the triangles");
     divisor.push_back({beside(m_t, place.front()), order, false});
   }
   return divisor;

@@ -14,13 +14,13 @@ namespace Quartic_differentials {
 
 /// reads a divisor: lines `x y z order [pinned]`, `#` begins a comment; every point is taken to the nearest point of the
 /// surface.
-/// \pre `surface` is embedded
-/// \throws Infeasible_divisor_error naming the line that cannot be read
+/// \throws Infeasible_divisor_error naming the line that cannot be read, or if `surface` is not embedded
 /// Complexity: O(n) to build a search tree, O(log n) a line.
 Divisor read_singularities(std::istream& in, const Intrinsic_triangulation& surface);
 
 /// writes a divisor in the form that `read_singularities` reads, with coordinates that read back to the same doubles.
 /// \param divisor on the faces of `surface`
+/// \throws Unusable_surface_error if `surface` is not embedded
 void write_singularities(std::ostream& out, const Divisor& divisor, const Intrinsic_triangulation& surface);
 
 } } // namespace CGAL::Quartic_differentials

@@ -30,8 +30,7 @@ void write_flat_intrinsic_json(std::ostream& out, const Quartic_differential& q)
 /// reads back to the identical double. A vertex has one texture coordinate for every sector between edges with a
 /// transition other than the identity. The faces are drawn straight between their corners in space: those of a
 /// `Refined_surface` lie on the input surface; those of the flat triangulation do not where it is not the input's.
-/// \pre `q.triangulation` is embedded
-/// \throws Error if a file cannot be written
+/// \throws Unusable_surface_error if `q.triangulation` is not embedded, Error if a file cannot be written
 /// Complexity: linear. Source: METHOD, output files.
 void write_flat_obj(const std::string& folder, const std::string& name, const Quartic_differential& q);
 

@@ -13,7 +13,8 @@ namespace CGAL {
 namespace Quartic_differentials {
 
 /// writes `loops.obj`: every loop a closed polyline, a group named by `loop_name()` and `loop_kind()`.
-/// \pre `t` is embedded, and the surface on which the loops were found
+/// \pre `t` is the surface on which the loops were found
+/// \throws Unusable_surface_error if `t` is not embedded
 /// Complexity: linear in the output.
 void write_loops_obj(std::ostream& out, const Intrinsic_triangulation& t, const Handle_tunnel_loops& loops);
 

@@ -28,7 +28,8 @@ void write_t_mesh_json(std::ostream& out, const T_mesh& t, const Quartic_differe
 ///
 /// Cell data: `patch` (-1 on lines), `arc` (-1 on polygons), `colour`. Point data: `uv`, the place in the patch from
 /// (0, 0) to (width, height), in the units of `flat.obj`; points are shared within patches, not between them.
-/// \pre `defect(t, q)` is empty, `q.triangulation` is embedded
+/// \pre `defect(t, q)` is empty
+/// \throws Unusable_surface_error if `q.triangulation` is not embedded
 /// Complexity: O(n log n) in the output.
 void write_t_mesh_vtp(std::ostream& out, const T_mesh& t, const Quartic_differential& q);
 
