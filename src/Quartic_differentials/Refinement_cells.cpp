@@ -70,7 +70,7 @@ public:
     after.resize(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
       side[i] = {i, ring[i].crossing.is_none() ? r.coincident(ring[i].c) : Mesh::null_halfedge()};
-      after[i] = (i + 1) % ring.size();
+      after[i] = i + 1 == ring.size() ? 0 : i + 1;
     }
     find_chords();
     for (const Chord& chord : chords) {
@@ -177,8 +177,8 @@ Refinement_cells::Refinement_cells(const Common_refinement& refinement, const In
       const std::size_t n = side.size(), first = m_corners.size();
       for (std::size_t i = 0; i < n; ++i) {
         const Ring_point& point = cut.point(side[i].from);
-        m_corners.push_back({point.c, a_halfedge(a, side[(i + n - 1) % n], side[i], side[(i + 1) % n],
-                                                 point.crossing.is_none()), point.crossing});
+        const Cell_side &before = side[(i == 0 ? n : i) - 1], &after = side[i + 1 == n ? 0 : i + 1];
+        m_corners.push_back({point.c, a_halfedge(a, before, side[i], after, point.crossing.is_none()), point.crossing});
       }
       m_cells.push_back({f, a.face(m_corners[first].a), first, m_corners.size()});
     });

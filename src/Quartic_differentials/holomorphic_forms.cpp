@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
@@ -17,19 +18,52 @@ namespace {
 using Complex = std::complex<double>;
 const double pi = CGAL_PI;
 
-// d^T W omega at every vertex: the flux of the form out of it.
-Harmonic_1_forms::Row_matrix divergence(const Intrinsic_triangulation& t, const std::vector<double>& weights,
-                                        const Harmonic_1_forms::Row_matrix& by_edge)
+using Row_matrix = Harmonic_1_forms::Row_matrix;
+
+// d^T W eta at every vertex: the flux of the cochains out of it. They are 0 almost everywhere.
+Row_matrix divergence(const Intrinsic_triangulation& t, const std::vector<double>& weights,
+                      const Integer_cochains& cochains)
 {
-  Harmonic_1_forms::Row_matrix flux = Harmonic_1_forms::Row_matrix::Zero(t.number_of_vertices(), by_edge.cols());
+  Row_matrix flux = Row_matrix::Zero(t.number_of_vertices(), cochains.size());
   for (Edge e : t.edges()) {
-    const auto form = by_edge.row(e);
-    if (form.isZero(0)) continue;   // as cochains are almost everywhere
+    const auto eta = cochains.values().row(e);
+    if (eta.isZero()) continue;
     const Halfedge h = t.halfedge(e);
-    flux.row(t.source(h)) -= weights[e] * form;
-    flux.row(t.target(h)) += weights[e] * form;
+    flux.row(t.source(h)) -= weights[e] * eta.cast<double>();
+    flux.row(t.target(h)) += weights[e] * eta.cast<double>();
   }
   return flux;
+}
+
+// omega = eta + dg on every edge, and what follows from it, in one pass over the edges: all are large
+void add_forms(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const std::vector<double>& weights,
+               Harmonic_1_forms& forms)
+{
+  const int n = cochains.size();
+  const Eigen::Index edges = static_cast<Eigen::Index>(t.number_of_edges()), most = 512;
+  Row_matrix flux = Row_matrix::Zero(t.number_of_vertices(), n), weighted(most, n);
+  forms.by_edge.resize(edges, n);
+  forms.dirichlet = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index first = 0; first < edges; first += most) {
+    const Eigen::Index size = std::min(most, edges - first);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const Edge e(static_cast<Mesh::size_type>(first + i));
+      const Halfedge h = t.halfedge(e);
+      const auto eta = cochains.values().row(e);
+      const auto g_source = forms.potential.row(t.source(h)), g_target = forms.potential.row(t.target(h));
+      auto omega = forms.by_edge.row(e), w_omega = weighted.row(i);
+      auto out = flux.row(t.source(h)), in = flux.row(t.target(h));
+      for (int k = 0; k < n; ++k) {
+        omega[k] = eta[k] + (g_target[k] - g_source[k]);
+        w_omega[k] = weights[e] * omega[k];
+        out[k] -= w_omega[k];
+        in[k] += w_omega[k];
+      }
+    }
+    forms.dirichlet.noalias() += forms.by_edge.middleRows(first, size).transpose() * weighted.topRows(size);
+  }
+  forms.dirichlet = (0.5 * (forms.dirichlet + forms.dirichlet.transpose())).eval();
+  forms.residual = n == 0 ? 0 : flux.cwiseAbs().maxCoeff();
 }
 
 // A closed 1-form by halfedge with the sign of its values decided everywhere: an exact zero is positive on the even
@@ -48,17 +82,15 @@ private:
   Eigen::VectorXd m_value;
 };
 
-int vertex_index(const Intrinsic_triangulation& t, const Signed_form& form, Vertex v)
+// The index of the form at every vertex, 1 - (sign changes round it)/2. Round the source of h the opposite of prev(h) comes
+// next: the sign changes where h and prev(h) have the same.
+std::vector<int> vertex_indices(const Intrinsic_triangulation& t, const Signed_form& form)
 {
-  int changes = 0;
-  const Halfedge first = t.halfedge_from(v);
-  Halfedge h = first;
-  do {
-    const Halfedge n = t.next_around_source(h);
-    changes += form.is_positive(h) != form.is_positive(n);
-    h = n;
-  } while (h != first);
-  return 1 - changes / 2;
+  std::vector<int> index(t.number_of_vertices(), 0);   // the number of changes, first
+  for (Face f : t.faces())
+    for (Halfedge h : t.halfedges(f)) index[t.source(h)] += form.is_positive(h) == form.is_positive(t.prev(h));
+  for (int& i : index) i = 1 - i / 2;
+  return index;
 }
 
 int face_index(const Intrinsic_triangulation& t, const Signed_form& form, Face f)
@@ -68,7 +100,8 @@ int face_index(const Intrinsic_triangulation& t, const Signed_form& form, Face f
   return 1 - changes / 2;
 }
 
-Complex gradient(const Intrinsic_triangulation& t, const Signed_form& form, Face f)
+template <class Form>
+Complex gradient(const Intrinsic_triangulation& t, const Form& form, Face f)
 {
   const auto h = t.halfedges(f);
   const auto z = t.unfolded(f);
@@ -77,7 +110,8 @@ Complex gradient(const Intrinsic_triangulation& t, const Signed_form& form, Face
 }
 
 // The zero of a + b z fitted to the form re + i im in the faces round v, z the flattened 1-ring (angles scaled to 2 pi).
-Surface_point refined_zero(const Intrinsic_triangulation& t, const Signed_form& re, const Signed_form& im, Vertex v)
+template <class Form>
+Surface_point refined_zero(const Intrinsic_triangulation& t, const Signed_form& re, const Form& im, Vertex v)
 {
   const std::vector<internal::Star_corner> star = internal::star(t, v);
   const double scale = 2 * pi / star.back().end_angle;
@@ -111,17 +145,8 @@ Harmonic_1_forms harmonic_1_forms(const Intrinsic_triangulation& t, const Intege
                                   const std::vector<double>& weights, const Laplacian_solver& laplacian)
 {
   Harmonic_1_forms forms;
-  forms.by_edge = cochains.values().cast<double>();
-  forms.potential = laplacian.solve(-divergence(t, weights, forms.by_edge));
-  Harmonic_1_forms::Row_matrix weighted(forms.by_edge.rows(), forms.by_edge.cols());
-  for (Edge e : t.edges()) {
-    const Halfedge h = t.halfedge(e);
-    forms.by_edge.row(e) += forms.potential.row(t.target(h)) - forms.potential.row(t.source(h));
-    weighted.row(e) = weights[e] * forms.by_edge.row(e);
-  }
-  forms.dirichlet = forms.by_edge.transpose() * weighted;
-  forms.dirichlet = (0.5 * (forms.dirichlet + forms.dirichlet.transpose())).eval();
-  forms.residual = forms.size() == 0 ? 0 : divergence(t, weights, forms.by_edge).cwiseAbs().maxCoeff();
+  forms.potential = laplacian.solve(-divergence(t, weights, cochains));
+  add_forms(t, cochains, weights, forms);
   return forms;
 }
 
@@ -137,10 +162,13 @@ Eigen::RowVectorXcd gradients(const Intrinsic_triangulation& t, const Harmonic_1
 std::vector<Holomorphic_zero> zeros_of_holomorphic_form(const Intrinsic_triangulation& t, const Harmonic_1_forms& forms,
                                                         const Eigen::VectorXd& coefficients, const Eigen::MatrixXd& star)
 {
-  const Signed_form re(forms, coefficients), im(forms, star * coefficients);
+  const Signed_form re(forms, coefficients);
+  const Eigen::VectorXd conjugate = star * coefficients;
+  const auto im = [&](Halfedge h) -> double { return forms.row(h) * conjugate; };   // needed round zeros only
   std::vector<Holomorphic_zero> zeros;
+  const std::vector<int> indices = vertex_indices(t, re);
   for (Vertex v : t.vertices()) {
-    const int index = vertex_index(t, re, v);
+    const int index = indices[v];
     if (index == 0) continue;
     const Halfedge h = t.halfedge_from(v);
     Surface_point p{t.face(h), {0, 0, 0}};
