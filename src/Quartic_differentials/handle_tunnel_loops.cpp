@@ -248,25 +248,29 @@ Eigen::MatrixXi with_dual(const Eigen::MatrixXi& p, bool tunnels)
   return u;
 }
 
-// how many classes have no loop, and the length of all others
-std::pair<int, double> total_length(const Loop_catalogue& catalogue, const Eigen::MatrixXi& u)
+// how many of these classes have no loop, and the length of all others
+std::pair<int, double> total_length(const Loop_catalogue& catalogue, const Eigen::MatrixXi& classes)
 {
   std::pair<int, double> total{0, 0};
-  for (int i = 0; i < u.rows(); ++i) {
-    const double length = catalogue.length(row(u, i));
+  for (int i = 0; i < classes.rows(); ++i) {
+    const double length = catalogue.length(row(classes, i));
     if (length == infinity) ++total.first;
     else total.second += length;
   }
   return total;
 }
 
-// Adds s times row q to row p, and what is needed to another row to keep the basis canonical.
-void add_row(Eigen::MatrixXi& u, int p, int q, int s)
+// Rows p and partner(q) of a canonical basis after s times row q is added to row p: the other changes too, to keep the
+// basis canonical, unless it is p.
+Eigen::MatrixXi sum_of_rows(const Eigen::MatrixXi& u, int p, int q, int s)
 {
   const int n = static_cast<int>(u.rows()), g = n / 2;
   const auto partner = [&](int i) { return (i + g) % n; };
-  u.row(p) += s * u.row(q);
-  if (partner(p) != q) u.row(partner(q)) -= ((p < g) == (q < g) ? s : -s) * u.row(partner(p));
+  Eigen::MatrixXi changed(2, n);
+  changed.row(0) = u.row(p) + s * u.row(q);
+  if (partner(q) == p) changed.row(1) = changed.row(0);
+  else changed.row(1) = u.row(partner(q)) - ((p < g) == (q < g) ? s : -s) * u.row(partner(p));
+  return changed;
 }
 
 // Adds classes to each other as long as the loops get shorter; tunnels and handles to their own kind only, if `apart`.
@@ -279,10 +283,12 @@ void descend(const Loop_catalogue& catalogue, bool apart, Eigen::MatrixXi& u)
       for (int q = 0; q < n; ++q)
         for (int s : {1, -1}) {
           if (p == q || (apart && (p < g) != (q < g))) continue;
-          Eigen::MatrixXi v = u;
-          add_row(v, p, q, s);
-          if (!(total_length(catalogue, v) < total_length(catalogue, u))) continue;
-          u = v;
+          Eigen::MatrixXi before(2, n);
+          before << u.row(p), u.row((q + g) % n);
+          const Eigen::MatrixXi after = sum_of_rows(u, p, q, s);
+          if (!(total_length(catalogue, after) < total_length(catalogue, before))) continue;
+          u.row(p) = after.row(0);
+          u.row((q + g) % n) = after.row(1);
           improved = true;
         }
   }
@@ -348,7 +354,7 @@ std::optional<Edge_loop> loop_in_cover(const Intrinsic_triangulation& t, const I
 {
   using Place = std::pair<Class, Vertex>;
   struct Arrival { double length; Halfedge by; };
-  const std::size_t most = 300000;   // about a second
+  const std::size_t most = 600000 / x.size();   // about a second
   const Shortest_path_tree back = internal::shortest_path_tree(t, t.lengths(), root);
   const Place start{Class(x.size(), 0), root}, end{x, root};
   std::map<Place, Arrival> reached{{start, {0, Mesh::null_halfedge()}}};

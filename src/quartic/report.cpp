@@ -257,6 +257,20 @@ Json quality_report(const Run_facts& facts, const Quartic_differential_result& r
   return quality;
 }
 
+Json quads_report(const Quads& quads)
+{
+  const Quantization& q = quads.quantization;
+  const char* const methods[] = {"optimal", "incumbent", "even"};
+  const Scaled_jacobian jacobian = scaled_jacobian(quads.mesh);
+  Json report = {{"target", q.target}, {"quads", quads.mesh.quads.size()}, {"vertices", quads.mesh.points.size()},
+                 {"scaled_jacobian", {{"min", jacobian.least}, {"mean", jacobian.mean}}},
+                 {"quantization", {{"method", methods[static_cast<int>(q.method)]}, {"optimal", q.optimal}, {"cost", q.cost},
+                                   {"lower_bound", q.lower_bound}, {"scale", q.scale}, {"cuts", q.cuts},
+                                   {"programs_solved", q.solves}, {"seconds", q.seconds}}}};
+  if (!q.shortfall.empty()) report["shortfall"] = q.shortfall;
+  return report;
+}
+
 // the paper's table 1
 Json timings_report(const Run_facts& facts, const Quartic_differential_result& r)
 {
@@ -295,7 +309,7 @@ Json surface_report(const Run_facts& facts, const Riemann_surface* s)
   return report;
 }
 
-Json run_report(const Run_facts& facts, const Quartic_differential_result& r)
+Json run_report(const Run_facts& facts, const Quartic_differential_result& r, const std::optional<Quads>& quads)
 {
   Json report = {{"status", facts.failure.empty() ? "done" : "failed"}};
   if (!facts.failure.empty()) report["failure"] = facts.failure;
@@ -329,6 +343,7 @@ Json run_report(const Run_facts& facts, const Quartic_differential_result& r)
                             {"max_curvature_error", r.refined_metric->precision.max_curvature_error}};
   }
   if (r.t_mesh) report["tmesh"] = t_mesh_report(*r.t_mesh);
+  if (quads) report["quad_mesh"] = quads_report(*quads);
 
   report["timings"] = timings_report(facts, r);
   report["peak_memory_bytes"] = peak_memory_bytes();

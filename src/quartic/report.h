@@ -6,10 +6,13 @@
 #define QUARTIC_REPORT_H
 
 #include <CGAL/Quartic_differentials/pipeline.h>
+#include <CGAL/Quartic_differentials/quad_mesh.h>
+#include <CGAL/Quartic_differentials/quantize.h>
 
 #include <nlohmann/json.hpp>
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,11 +28,19 @@ struct Run_facts
   std::vector<std::pair<std::string, double>>   timings;   ///< seconds outside of the pipeline
 };
 
+/// The quad mesh, if it was asked for.
+struct Quads
+{
+  CGAL::Quartic_differentials::Quantization quantization;
+  CGAL::Quartic_differentials::Quad_mesh    mesh;
+};
+
 /// the part of report.json up to the period matrix (`quartic info --json`)
 Json surface_report(const Run_facts& facts, const CGAL::Quartic_differentials::Riemann_surface* surface);
 
 /// report.json (METHOD, output files), with what was reached
-Json run_report(const Run_facts& facts, const CGAL::Quartic_differentials::Quartic_differential_result& result);
+Json run_report(const Run_facts& facts, const CGAL::Quartic_differentials::Quartic_differential_result& result,
+                const std::optional<Quads>& quads);
 
 /// the report for people, at the end of a run
 void print_summary(std::ostream& out, const Json& report);

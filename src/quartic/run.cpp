@@ -11,6 +11,7 @@
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
 #include <CGAL/Quartic_differentials/IO/write_loops.h>
 #include <CGAL/Quartic_differentials/IO/write_pareto.h>
+#include <CGAL/Quartic_differentials/IO/write_quads.h>
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
@@ -36,12 +37,13 @@ struct Run_options
   std::string                  mesh, folder, singularities;
   bool                         quiet = false, intrinsic = false;
   Quartic_differential_options pipeline;
+  Quantization_options         quads{0};   // none, as long as nothing is asked for
 };
 
 const char* const output_files[] = {"flat.obj", "flat.mtl", "flat.png", "flat_intrinsic.json", "flat_intrinsic.obj", "flat_intrinsic.mtl",
                                     "flat_intrinsic.png", "tmesh.json", "tmesh.vtp", "singularities.txt", "pareto.csv", "pareto.svg",
                                     "loops.obj",
-                                    "report.json"};
+                                    "quads.obj", "report.json"};
 
 // Makes the folder and removes what an earlier run left there, so that results of two runs never mix.
 void prepare_folder(const fs::path& folder)
@@ -80,6 +82,20 @@ void write_results(const std::string& folder, const Intrinsic_triangulation& inp
   }
 }
 
+bool are_quads_wanted(const Run_options& options)
+{
+  return options.quads.number_of_quads > 0 || options.quads.edge_length > 0;
+}
+
+Quads made_quads(const Quartic_differential_result& r, Quantization_options options, Visitor& visitor)
+{
+  if (!r.t_mesh) throw Infeasible_divisor_error("there is no singularity, hence no T-mesh that could be cut into quads");
+  options.surface_units_per_unit = r.refined->differential.surface_units_per_unit;
+  Quads quads{quantize(*r.t_mesh, options, visitor), {}};
+  quads.mesh = quad_mesh(*r.t_mesh, quads.quantization.length, *r.refined);
+  return quads;
+}
+
 std::optional<Divisor> divisor_from_file(const std::string& path, const Intrinsic_triangulation& input)
 {
   if (path.empty()) return std::nullopt;
@@ -103,12 +119,19 @@ void run(const Run_options& options)
     singularities = divisor_from_file(options.singularities, input);
   }
   facts.input = &input;
+  if (are_quads_wanted(options) && !input.is_embedded())
+    throw Unusable_surface_error("quads need positions in space, but the surface is known by its edge lengths alone");
   prepare_folder(options.folder);
 
   Quartic_differential_result result;
+  std::optional<Quads> quads;
   std::exception_ptr failure;
   try {
     quartic_differential(input, singularities, options.pipeline, progress, result);
+    if (are_quads_wanted(options)) {
+      const internal::Timed_step step(timed, "quad_mesh");
+      quads = made_quads(result, options.quads, progress);
+    }
   } catch (const Numerical_error& e) {   // what was computed is still written
     facts.failure = e.what();
     failure = std::current_exception();
@@ -119,8 +142,10 @@ void run(const Run_options& options)
   {
     const internal::Timed_step step(timed, "write");
     write_results(options.folder, input, options.pipeline.choice.distortion, options.intrinsic, result);
+    if (quads)
+      write_file(options.folder + "/quads.obj", [&](std::ostream& out) { write_quads_obj(out, quads->mesh); });
   }
-  const Json report = run_report(facts, result);
+  const Json report = run_report(facts, result, quads);
   write_file(options.folder + "/report.json", [&](std::ostream& out) { out << report.dump(1) << '\n'; });
   if (!options.quiet) {
     print_summary(std::cout, report);
@@ -193,6 +218,12 @@ void add_run(CLI::App& app)
                       "Compute the flat metric, its holonomy and its layout with this number of binary digits; without it "
                       "doubles are used, and 128 digits where those are not enough")
          ->check(CLI::Range(64, 1024))->type_name("BITS");
+  CLI::Option* number = command->add_option("--quads", options->quads.number_of_quads,
+                                            "Also make a quad mesh, quads.obj, of about this number of quads")
+                               ->check(CLI::Range(1, 100000000))->type_name("N");
+  command->add_option("--edge-length", options->quads.edge_length,
+                      "Also make a quad mesh with sides of about this length")
+         ->check(CLI::PositiveNumber)->type_name("H")->excludes(number);
   command->add_flag_callback("--no-loops", [options] { options->pipeline.homology = Homology_choice::any; },
                              "Take any canonical homology basis, not one of short handle and tunnel loops");
   command->add_flag("--intrinsic", options->intrinsic,

@@ -82,6 +82,14 @@ void print_summary(std::ostream& out, const Json& report)
         + std::to_string(report["tmesh"]["t_junctions"].get<int>()) + " T-junctions");
   else if (report["status"] == "done")
     row(out, "T-mesh", "none: it starts from singularities, and there is none");
+  if (report.contains("quad_mesh")) {
+    const Json& q = report["quad_mesh"];
+    row(out, "quads", std::to_string(q["quads"].get<std::size_t>()) + ", scaled Jacobian at least "
+        + number(q["scaled_jacobian"]["min"]) + ", " + number(q["scaled_jacobian"]["mean"]) + " on average");
+    if (q.contains("shortfall"))
+      row(out, "", std::to_string(q["target"].get<std::size_t>()) + " were asked for, but "
+          + q["shortfall"].get<std::string>());
+  }
   if (!input["embedded"].get<bool>())
     row(out, "not written", "flat.obj, tmesh.vtp, loops.obj, singularities.txt: the surface has no positions in space");
   row(out, "time", number(report["timings"]["total"]) + " s, "

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -126,6 +127,23 @@ void check_run()
 
 nlohmann::json report_of(const char* run) { return nlohmann::json::parse(contents(folder / run / "report.json")); }
 
+void check_quads()
+{
+  CHECK_EQUAL(quartic("run chain.off -o quads --quads 2500 -q").status, 0);
+  const nlohmann::json quads = report_of("quads")["quad_mesh"];
+  const double number = quads["quads"];
+  CHECK(!quads.contains("shortfall") && std::abs(number - 2500) <= 0.05 * 2500);
+  CHECK(quads["scaled_jacobian"]["mean"] > 0.9);
+  const std::string obj = contents(folder / "quads" / "quads.obj");
+  double faces = 0;
+  for (std::size_t i = obj.find("\nf "); i != std::string::npos; i = obj.find("\nf ", i + 1)) ++faces;
+  CHECK_EQUAL(faces, number);
+  CHECK(contains(quartic("run chain.off -o by_length --edge-length 0.3").out, "quads"));
+  CHECK(!fs::exists(folder / "results" / "quads.obj"));
+  check_failure("run chain.off -o quads --quads 2500 --edge-length 0.3", 1, "excludes");
+  check_failure("run curve.json -o no_quads --quads 500", 2, "edge lengths alone");
+}
+
 void check_choice()
 {
   CHECK_EQUAL(quartic("run chain.off -o counted --count 15 -q").status, 0);
@@ -194,6 +212,7 @@ int main()
   check_sample();
   check_info();
   check_run();
+  check_quads();
   check_choice();
   check_refused_input();
   return Quartic_test::result();

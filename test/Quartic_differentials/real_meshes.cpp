@@ -73,13 +73,20 @@ void check_choice(const Json& report, const Wanted& w)
   for (const Json& start : d["starts"]) CHECK(start["distortion"].get<double>() > linear);
 }
 
+void check_quads(const Json& quads)
+{
+  CHECK(!quads.contains("shortfall"));
+  CHECK(std::abs(quads["quads"].get<double>() - 4000) <= 0.05 * 4000);
+  CHECK(quads["scaled_jacobian"]["mean"].get<double>() > 0.9);
+}
+
 void test(const Wanted& w, const fs::path& folder)
 {
   const std::string mesh = w.mesh;
   const std::string quartic = Quartic_test::environment("QUARTIC_PROGRAM");
   const fs::path input = fs::path(Quartic_test::environment("QUARTIC_TEST_MESHES")) / (mesh + ".off");
   const fs::path results = folder / mesh;
-  CHECK(succeeds("'" + quartic + "' run -q '" + input.string() + "' -o '" + results.string() + "'"));
+  CHECK(succeeds("'" + quartic + "' run -q '" + input.string() + "' -o '" + results.string() + "' --quads 4000"));
   std::ifstream in(results / "report.json");
   const Json report = Json::parse(in);
   std::cout << mesh << ": genus " << report["input"]["genus"] << ", " << report["singularities"].size()
@@ -87,10 +94,11 @@ void test(const Wanted& w, const fs::path& folder)
             << report["max_holonomy_error_radians"] << ", " << report["timings"]["total"] << " s" << std::endl;
   check_report(report, w.newton_steps);
   check_choice(report, w);
+  check_quads(report["quad_mesh"]);
   CHECK(succeeds("'" + quartic + "' verify '" + input.string() + "' '" + results.string() + "'"));
   const std::string script = Quartic_test::environment("QUARTIC_VERIFY_OUTPUTS");
   if (script.empty()) return;
-  const std::string check = "'" + script + "' '" + input.string() + "' '" + results.string() + "' --no-quads";
+  const std::string check = "'" + script + "' '" + input.string() + "' '" + results.string() + "'";
   CHECK(succeeds(check));
   if (w.surviving_edges) CHECK(succeeds(check + " --intrinsic"));
 }

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Times quantization and quad meshes of surfaces at several numbers of quads. Prints a Markdown table a surface.
+
+#include "measure.h"
+
+#include <CGAL/Quartic_differentials/IO/read_surface.h>
+#include <CGAL/Quartic_differentials/pipeline.h>
+#include <CGAL/Quartic_differentials/quad_mesh.h>
+#include <CGAL/Quartic_differentials/quantize.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Quartic_differentials;
+
+namespace {
+
+const char* name(Quantization_method method)
+{
+  switch (method) {
+    case Quantization_method::optimal:   return "cuts";
+    case Quantization_method::incumbent: return "raised arcs";
+    default:                             return "even";
+  }
+}
+
+void print_row(const T_mesh& t, const Refined_surface& refined, const Quantization_options& options)
+{
+  Visitor visitor;
+  const Quantization q = quantize(t, options, visitor);
+  Quad_mesh m;
+  const double building = seconds([&] { m = quad_mesh(t, q.length, refined); });
+  const Scaled_jacobian jacobian = scaled_jacobian(m);
+  std::printf("| %zu | %zu | %zu | %zu | %zu | %zu | %td | %.2f | %s | %s | %.2f | %.2f | %.2f | %.3f |\n", q.target,
+              q.number_of_quads, q.scales, q.solves, q.rounds, q.cuts,
+              std::count(q.length.begin(), q.length.end(), 0), q.cost, name(q.method), q.optimal ? "yes" : "no",
+              q.seconds, building, jacobian.least, jacobian.mean);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  std::vector<std::string> files;
+  std::vector<std::size_t> targets{500, 2000, 4000, 20000};
+  Quantization_options options;
+  CLI::App app{"Times quantization and quad meshes"};
+  app.add_option("meshes", files, "Surfaces")->required()->check(CLI::ExistingFile);
+  app.add_option("--quads", targets, "Numbers of quads to ask for")->capture_default_str();
+  app.add_option("--time-limit", options.time_limit, "Seconds for a quantization")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+
+  for (const std::string& file : files) {
+    Visitor visitor;
+    Quartic_differential_result result;
+    std::vector<std::string> notes;
+    quartic_differential(read_surface(file, notes), std::nullopt, {}, visitor, result);
+    if (!result.refined) {
+      std::cerr << file << ": the surface is not embedded\n";
+      continue;
+    }
+    std::printf("%s: %zu singularities, %zu arcs, %zu patches\n\n", file.c_str(), result.singularities.size(),
+                result.t_mesh->arcs.size(), result.t_mesh->patches.size());
+    std::printf("| asked | reached | scales | programs | rounds | cuts | zero arcs | cost | method | optimal |"
+                " quantization, s | mesh, s | least Jacobian | mean |\n"
+                "|--:|--:|--:|--:|--:|--:|--:|--:|---|---|--:|--:|--:|--:|\n");
+    for (std::size_t target : targets) {
+      options.number_of_quads = target;
+      print_row(*result.t_mesh, *result.refined, options);
+    }
+    std::printf("\n");
+  }
+}

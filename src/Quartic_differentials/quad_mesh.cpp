@@ -1,0 +1,277 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/quad_mesh.h>
+
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/Patch_locator.h>
+#include <CGAL/Quartic_differentials/internal/Quad_grid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+using internal::Patch_locator;
+using internal::Quad_grid;
+using Side = std::vector<T_mesh::Side_piece>;
+
+const std::size_t none = static_cast<std::size_t>(-1);
+
+bool is_singularity(const T_mesh::Node& node) { return node.kind == T_mesh::Node_kind::singularity; }
+
+// The places of the grids' points on the refined surface.
+class Placement
+{
+public:
+  Placement(const T_mesh& t, const std::vector<int>& q, const Quad_grid& grid, const Quartic_differential& differential)
+    : m_t(t), m_q(q), m_grid(grid), m_locator(t, differential), m_place(grid.number_of_points())
+  {
+    place_nodes();
+    for (std::size_t p = 0; p < t.patches.size(); ++p) place_sides(p);
+    place_inner_points();
+  }
+
+  const Surface_point& operator()(std::size_t vertex) const { return *m_place[vertex]; }
+
+private:
+  // what comes first stays
+  void place(std::size_t point, const Surface_point& p)
+  {
+    std::optional<Surface_point>& place = m_place[m_grid.vertex(point)];
+    if (!place) place = p;
+  }
+
+  void place_nodes()
+  {
+    for (bool singular : {true, false})
+      for (std::size_t n = 0; n < m_t.nodes.size(); ++n)
+        if (is_singularity(m_t.nodes[n]) == singular)
+          place(n, m_locator.in_face(m_t.nodes[n].face, m_t.nodes[n].point));
+  }
+
+  // the inner points of an arc, from the patch on its left
+  void place_sides(std::size_t p)
+  {
+    const T_mesh::Patch& patch = m_t.patches[p];
+    for (int k = 0; k < 4; ++k) {
+      std::int64_t begin = 0;
+      for (const T_mesh::Side_piece& piece : patch.sides[k]) {
+        const std::int64_t length = m_t.arcs[piece.arc].length;
+        if (piece.forward)
+          for (int i = 1; i < m_q[piece.arc]; ++i)
+            place(m_grid.arc_point(piece.arc, i),
+                  m_locator.locate(p, on_side(patch, k, begin + fraction(length, i, m_q[piece.arc]))));
+        begin += length;
+      }
+    }
+  }
+
+  static std::int64_t fraction(std::int64_t length, int i, int n)
+  { return static_cast<std::int64_t>(static_cast<__int128>(length) * i / n); }
+
+  // the point at a distance from the side's first corner
+  static Grid_vector on_side(const T_mesh::Patch& patch, int k, std::int64_t s)
+  {
+    switch (k) {
+      case 0:  return {s, 0};
+      case 1:  return {patch.width, s};
+      case 2:  return {patch.width - s, patch.height};
+      default: return {0, patch.height - s};
+    }
+  }
+
+  // by point of a side: its distance from the first corner; where arcs shrink to a point, the middle, or the corner
+  std::vector<double> divided(const Side& side) const
+  {
+    std::vector<double> result{0};
+    double begin = 0, zero = 0;   // where the arc begins, and the length of the arcs before it that are 0
+    for (const T_mesh::Side_piece& piece : side) {
+      const double length = static_cast<double>(m_t.arcs[piece.arc].length);
+      const int n = m_q[piece.arc];
+      if (n == 0) {
+        zero += length;
+      } else {
+        if (result.size() > 1) result.back() -= zero / 2;
+        zero = 0;
+        for (int i = 1; i <= n; ++i) result.push_back(begin + length * i / n);
+      }
+      begin += length;
+      if (n == 0 && result.size() > 1) result.back() = begin;
+    }
+    return result;
+  }
+
+  void place_inner_points()
+  {
+    std::size_t patch = none;
+    std::array<std::vector<double>, 4> at;   // bottom and top x, right and left y
+    for (const Quad_grid::Quad& quad : m_grid.quads()) {
+      const T_mesh::Patch& p = m_t.patches[quad.patch];
+      if (quad.patch != patch) {
+        patch = quad.patch;
+        for (int k = 0; k < 4; ++k) {
+          at[k] = divided(p.sides[k]);
+          if (k < 2) continue;
+          std::reverse(at[k].begin(), at[k].end());
+          for (double& x : at[k]) x = static_cast<double>(k == 2 ? p.width : p.height) - x;
+        }
+      }
+      if (quad.column == 0 || quad.row == 0) continue;
+      const std::size_t i = quad.column, j = quad.row;
+      const double u = double(i) / double(at[0].size() - 1), v = double(j) / double(at[1].size() - 1);
+      const Grid_vector z{rounded((1 - v) * at[0][i] + v * at[2][i], p.width),
+                          rounded((1 - u) * at[3][j] + u * at[1][j], p.height)};
+      place(quad.point[0], m_locator.locate(patch, z));
+    }
+  }
+
+  static std::int64_t rounded(double x, std::int64_t most)
+  { return std::clamp<std::int64_t>(std::llround(x), 0, most); }
+
+  const T_mesh&                             m_t;
+  const std::vector<int>&                   m_q;
+  const Quad_grid&                          m_grid;
+  const Patch_locator                       m_locator;
+  std::vector<std::optional<Surface_point>> m_place;   // by vertex
+};
+
+Point_3 position(const Intrinsic_triangulation& t, const Surface_point& p)
+{
+  double x = 0, y = 0, z = 0;
+  const auto h = t.halfedges(p.face);
+  for (int k = 0; k < 3; ++k) {
+    const Point_3& corner = t.mesh().point(t.source(h[k]));
+    x += p.barycentric[k] * corner.x();
+    y += p.barycentric[k] * corner.y();
+    z += p.barycentric[k] * corner.z();
+  }
+  return Point_3(x, y, z);
+}
+
+} // namespace
+
+Quad_mesh quad_mesh(const T_mesh& t, const std::vector<int>& q, const Refined_surface& refined)
+{
+  const Quad_grid grid(t, q);
+  const Placement place(t, q, grid, refined.differential);
+  Quad_mesh result;
+  std::vector<std::size_t> index(grid.number_of_points(), none);   // by vertex of the grid
+  const auto vertex = [&](std::size_t point) {
+    const std::size_t v = grid.vertex(point);
+    if (index[v] == none) {
+      index[v] = result.points.size();
+      result.points.push_back(position(refined.differential.triangulation, place(v)));
+      result.input_points.push_back(refined.to_input(place(v)));
+    }
+    return index[v];
+  };
+  for (std::size_t n = 0; n < t.nodes.size(); ++n)
+    if (is_singularity(t.nodes[n])) result.singularities.push_back(vertex(n));
+  for (const Quad_grid::Quad& quad : grid.quads()) {
+    result.quads.push_back({vertex(quad.point[0]), vertex(quad.point[1]), vertex(quad.point[2]),
+                            vertex(quad.point[3])});
+    result.patch.push_back(quad.patch);
+  }
+  const std::string violation = defect(result, t);
+  if (!violation.empty()) throw Numerical_error("the quad mesh is not valid: " + violation);
+  return result;
+}
+
+std::string defect(const Quad_mesh& m, const T_mesh& t)
+{
+  const auto name = [](const char* what, std::size_t i) { return std::string(what) + ' ' + std::to_string(i); };
+  if (m.patch.size() != m.quads.size() || m.input_points.size() != m.points.size()) return "the sizes do not fit";
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> previous;   // by corner: from the vertex, and the next
+  std::vector<std::size_t> valence(m.points.size(), 0);
+  for (std::size_t f = 0; f < m.quads.size(); ++f)
+    for (int k = 0; k < 4; ++k) {
+      const std::size_t v = m.quads[f][k], next = m.quads[f][(k + 1) % 4];
+      if (v >= m.points.size() || next >= m.points.size()) return name("quad", f) + " has a vertex that does not exist";
+      if (std::count(m.quads[f].begin(), m.quads[f].end(), v) != 1) return name("quad", f) + " has a vertex twice";
+      if (!previous.emplace(std::make_pair(v, next), m.quads[f][(k + 3) % 4]).second)
+        return "two quads run from " + name("vertex", v) + " to " + name("vertex", next);
+      ++valence[v];
+    }
+  for (const auto& [edge, before] : previous)
+    if (previous.count({edge.second, edge.first}) == 0)
+      return "there is one quad only at the edge from " + name("vertex", edge.first);
+  for (auto first = previous.begin(); first != previous.end();) {   // the edges from one vertex follow one another
+    const std::size_t v = first->first.first;
+    std::size_t quads = 0, w = first->first.second;
+    do {
+      w = previous.at({v, w});
+      ++quads;
+    } while (w != first->first.second);
+    if (quads != valence[v]) return "the quads at " + name("vertex", v) + " are not one circle";
+    std::advance(first, quads);
+  }
+
+  std::vector<std::size_t> expected(m.points.size(), 4);
+  std::vector<char> is_singular(m.points.size(), false);
+  std::size_t s = 0;
+  for (const T_mesh::Node& node : t.nodes) {
+    if (!is_singularity(node)) continue;
+    if (s == m.singularities.size() || m.singularities[s] >= m.points.size()) return "a singularity has no vertex";
+    const std::size_t v = m.singularities[s++];
+    if (is_singular[v]) return name("vertex", v) + " has two singularities";
+    is_singular[v] = true;
+    expected[v] = static_cast<std::size_t>(node.order + 4);
+  }
+  for (std::size_t v = 0; v < valence.size(); ++v)
+    if (valence[v] != expected[v]) return name("vertex", v) + " has " + std::to_string(valence[v]) + " quads";
+  const auto chi = [](std::size_t v, std::size_t e, std::size_t f)
+  { return static_cast<long>(v) - static_cast<long>(e) + static_cast<long>(f); };
+  if (chi(m.points.size(), 2 * m.quads.size(), m.quads.size())
+      != chi(t.nodes.size(), t.arcs.size(), t.patches.size()))
+    return "the genus is not that of the T-mesh";
+  return {};
+}
+
+Mesh surface_mesh(const Quad_mesh& m, const T_mesh& t)
+{
+  Mesh mesh;
+  auto patch = mesh.add_property_map<Face, std::size_t>("f:patch").first;
+  auto place = mesh.add_property_map<Vertex, Surface_point>("v:input_point").first;
+  auto order = mesh.add_property_map<Vertex, int>("v:singularity_order", 0).first;
+  const auto vertex = [](std::size_t v) { return Vertex(static_cast<Mesh::size_type>(v)); };
+  for (std::size_t v = 0; v < m.points.size(); ++v) place[mesh.add_vertex(m.points[v])] = m.input_points[v];
+  for (std::size_t f = 0; f < m.quads.size(); ++f) {
+    const auto& [a, b, c, d] = m.quads[f];
+    patch[mesh.add_face(vertex(a), vertex(b), vertex(c), vertex(d))] = m.patch[f];
+  }
+  std::size_t s = 0;
+  for (const T_mesh::Node& node : t.nodes)
+    if (is_singularity(node)) order[vertex(m.singularities[s++])] = node.order;
+  return mesh;
+}
+
+Scaled_jacobian scaled_jacobian(const Quad_mesh& m)
+{
+  Scaled_jacobian result{std::numeric_limits<double>::infinity(), 0};
+  const auto length = [](const auto& v) { return std::sqrt(v.squared_length()); };
+  const double not_0 = std::numeric_limits<double>::min();
+  for (const auto& quad : m.quads) {
+    const auto point = [&](int k) -> const Point_3& { return m.points[quad[k % 4]]; };
+    const auto normal = CGAL::cross_product(point(2) - point(0), point(3) - point(1));
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 4; ++k) {
+      const auto a = point(k + 1) - point(k), b = point(k + 3) - point(k);
+      const double lengths = std::max(length(a) * length(b) * length(normal), not_0);
+      least = std::min(least, CGAL::scalar_product(CGAL::cross_product(a, b), normal) / lengths);
+    }
+    result.least = std::min(result.least, least);
+    result.mean += least / double(m.quads.size());
+  }
+  return result;
+}
+
+} } // namespace CGAL::Quartic_differentials
