@@ -268,6 +268,9 @@ Json quads_report(const Quads& quads)
                                    {"lower_bound", q.lower_bound}, {"scale", q.scale}, {"cuts", q.cuts},
                                    {"programs_solved", q.solves}, {"seconds", q.seconds}}}};
   if (!q.shortfall.empty()) report["shortfall"] = q.shortfall;
+  if (const Smoothing_report& s = quads.smoothing; !s.history.empty())
+    report["smoothing"] = {{"sweeps", s.history.size() - 1}, {"seconds", s.seconds},
+                           {"before", {{"min", s.history.front().least}, {"mean", s.history.front().mean}}}};
   return report;
 }
 

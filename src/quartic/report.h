@@ -8,6 +8,7 @@
 #include <CGAL/Quartic_differentials/pipeline.h>
 #include <CGAL/Quartic_differentials/quad_mesh.h>
 #include <CGAL/Quartic_differentials/quantize.h>
+#include <CGAL/Quartic_differentials/smooth_quads.h>
 
 #include <nlohmann/json.hpp>
 
@@ -31,8 +32,9 @@ struct Run_facts
 /// The quad mesh, if it was asked for.
 struct Quads
 {
-  CGAL::Quartic_differentials::Quantization quantization;
-  CGAL::Quartic_differentials::Quad_mesh    mesh;
+  CGAL::Quartic_differentials::Quantization     quantization;
+  CGAL::Quartic_differentials::Quad_mesh        mesh;
+  CGAL::Quartic_differentials::Smoothing_report smoothing;   ///< empty if the mesh was not smoothed
 };
 
 /// the part of report.json up to the period matrix (`quartic info --json`)

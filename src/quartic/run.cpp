@@ -38,6 +38,7 @@ struct Run_options
   bool                         quiet = false, intrinsic = false;
   Quartic_differential_options pipeline;
   Quantization_options         quads{0};   // none, as long as nothing is asked for
+  bool                         smooth = true;
 };
 
 const char* const output_files[] = {"flat.obj", "flat.mtl", "flat.png", "flat_intrinsic.json", "flat_intrinsic.obj", "flat_intrinsic.mtl",
@@ -87,12 +88,15 @@ bool are_quads_wanted(const Run_options& options)
   return options.quads.number_of_quads > 0 || options.quads.edge_length > 0;
 }
 
-Quads made_quads(const Quartic_differential_result& r, Quantization_options options, Visitor& visitor)
+Quads made_quads(const Intrinsic_triangulation& input, const Quartic_differential_result& r,
+                 const Run_options& run_options, Visitor& visitor)
 {
+  Quantization_options options = run_options.quads;
   if (!r.t_mesh) throw Infeasible_divisor_error("there is no singularity, hence no T-mesh that could be cut into quads");
   options.surface_units_per_unit = r.refined->differential.surface_units_per_unit;
-  Quads quads{quantize(*r.t_mesh, options, visitor), {}};
+  Quads quads{quantize(*r.t_mesh, options, visitor), {}, {}};
   quads.mesh = quad_mesh(*r.t_mesh, quads.quantization.length, *r.refined);
+  if (run_options.smooth) quads.smoothing = smooth_quads(input, Smoothing_options(), quads.mesh);
   return quads;
 }
 
@@ -130,7 +134,7 @@ void run(const Run_options& options)
     quartic_differential(input, singularities, options.pipeline, progress, result);
     if (are_quads_wanted(options)) {
       const internal::Timed_step step(timed, "quad_mesh");
-      quads = made_quads(result, options.quads, progress);
+      quads = made_quads(input, result, options, progress);
     }
   } catch (const Numerical_error& e) {   // what was computed is still written
     facts.failure = e.what();
@@ -224,6 +228,8 @@ void add_run(CLI::App& app)
   command->add_option("--edge-length", options->quads.edge_length,
                       "Also make a quad mesh with sides of about this length")
          ->check(CLI::PositiveNumber)->type_name("H")->excludes(number);
+  command->add_flag("!--no-smoothing", options->smooth,
+                    "Leave the vertices of the quad mesh where the exact map takes them, on even divisions of the T-mesh");
   command->add_flag_callback("--no-loops", [options] { options->pipeline.homology = Homology_choice::any; },
                              "Take any canonical homology basis, not one of short handle and tunnel loops");
   command->add_flag("--intrinsic", options->intrinsic,

@@ -133,7 +133,10 @@ void check_quads()
   const nlohmann::json quads = report_of("quads")["quad_mesh"];
   const double number = quads["quads"];
   CHECK(!quads.contains("shortfall") && std::abs(number - 2500) <= 0.05 * 2500);
-  CHECK(quads["scaled_jacobian"]["mean"] > 0.9);
+  CHECK(quads["scaled_jacobian"]["mean"] > 0.95);
+  CHECK(quads["scaled_jacobian"]["min"] >= quads["smoothing"]["before"]["min"]);
+  CHECK_EQUAL(quartic("run chain.off -o unsmoothed --quads 2500 -q --no-smoothing").status, 0);
+  CHECK(report_of("unsmoothed")["quad_mesh"]["scaled_jacobian"]["mean"] < quads["scaled_jacobian"]["mean"]);
   const std::string obj = contents(folder / "quads" / "quads.obj");
   double faces = 0;
   for (std::size_t i = obj.find("\nf "); i != std::string::npos; i = obj.find("\nf ", i + 1)) ++faces;

@@ -1,0 +1,322 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/smooth_quads.h>
+
+#include <CGAL/Quartic_differentials/Common_refinement.h>
+#include <CGAL/Quartic_differentials/internal/require_embedded.h>
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Vector = Kernel::Vector_3;
+
+const double not_0 = std::numeric_limits<double>::min();
+const double infinity = std::numeric_limits<double>::infinity();
+
+double length(const Vector& v) { return std::sqrt(v.squared_length()); }
+Vector unit(const Vector& v) { return v / std::max(length(v), not_0); }
+
+// A point of the input, with the surface's normal there: faces' normals, averaged at vertices and linear between.
+struct Place
+{
+  Surface_point at;
+  Point_3       point;
+  Vector        normal;
+};
+
+class Input_surface
+{
+public:
+  explicit Input_surface(const Intrinsic_triangulation& t)
+    : m_t(t), m_normal(t.number_of_vertices(), Vector(0, 0, 0))
+  {
+    for (Face f : t.faces()) {
+      const std::array<Point_3, 3> p = corners(f);
+      const Vector n = CGAL::cross_product(p[1] - p[0], p[2] - p[0]);
+      for (Halfedge h : t.halfedges(f)) m_normal[t.source(h)] += n;
+    }
+    for (Vector& n : m_normal) n = unit(n);
+    m_tree.insert(t.faces().begin(), t.faces().end(), t.mesh());
+    m_tree.do_not_accelerate_distance_queries();   // a place of the mesh is near always
+    m_tree.build();
+  }
+
+  Place place(const Surface_point& at) const
+  {
+    Vector normal(0, 0, 0);
+    const auto h = m_t.halfedges(at.face);
+    for (int k = 0; k < 3; ++k) normal += at.barycentric[k] * m_normal[m_t.source(h[k])];
+    return {at, position_on_input(m_t, at), unit(normal)};
+  }
+
+  // the nearest point, if it is not on a face without area
+  std::optional<Place> nearest(const Point_3& p, const Place& near) const
+  {
+    const auto [q, face] = m_tree.closest_point_and_primitive(p, {near.point, near.at.face});
+    const std::array<Point_3, 3> corner = corners(face);
+    const Vector n = CGAL::cross_product(corner[1] - corner[0], corner[2] - corner[0]);
+    Surface_point at{face, {}};
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Vector area = CGAL::cross_product(corner[(k + 1) % 3] - q, corner[(k + 2) % 3] - q);
+      at.barycentric[k] = std::max(CGAL::scalar_product(area, n), 0.);
+      sum += at.barycentric[k];
+    }
+    if (!(sum > 0)) return std::nullopt;
+    for (double& b : at.barycentric) b /= sum;
+    return place(at);
+  }
+
+private:
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+  std::array<Point_3, 3> corners(Face f) const
+  {
+    const auto h = m_t.halfedges(f);
+    return {m_t.mesh().point(m_t.source(h[0])), m_t.mesh().point(m_t.source(h[1])), m_t.mesh().point(m_t.source(h[2]))};
+  }
+
+  const Intrinsic_triangulation& m_t;
+  std::vector<Vector>            m_normal;   // by vertex
+  Tree                           m_tree;
+};
+
+// How good quads are.
+struct Quality
+{
+  double least = infinity;   // scaled Jacobian
+  double sum = 0;            // over corners, what is to become small: E in METHOD, "Smoothing"
+};
+
+// the square of the ratio (a - b)^2 : (a^2 + b^2), with a weight: it keeps edges from shrinking to points
+double unevenness(double a, double b)
+{
+  const double weight = 0.25, ratio = (a - b) * (a - b) / (a * a + b * b);
+  return weight * ratio * ratio;
+}
+
+const int directions = 8;               // of the pattern search
+const double smallest_gain = 1e-3;      // of E at a move, as a share: smaller moves cost time and gain nothing
+const double turned_over = -0.5;        // cosine: a normal is against the surface where the surface's own ones agree;
+                                        // round a thin tube they cancel, and say nothing
+
+class Smoother
+{
+public:
+  Smoother(const Input_surface& surface, Quad_mesh& m)
+    : m_surface(surface), m_mesh(m), m_first(m.points.size() + 1, 0), m_corner(4 * m.quads.size()),
+      m_step(m.points.size(), infinity), m_is_active(m.points.size(), true)
+  {
+    for (const auto& quad : m.quads)
+      for (std::size_t v : quad) ++m_first[v + 1];
+    for (std::size_t v = 0; v < m.points.size(); ++v) m_first[v + 1] += m_first[v];
+    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
+    for (std::size_t f = 0; f < m.quads.size(); ++f)
+      for (int k = 0; k < 4; ++k) m_corner[next[m.quads[f][k]]++] = {f, k};
+    m_place.reserve(m.points.size());
+    for (const Surface_point& p : m.input_points) m_place.push_back(surface.place(p));
+  }
+
+  Smoothing_sweep measure(std::size_t moves) const
+  {
+    Smoothing_sweep result{infinity, 0, moves};
+    for (std::size_t f = 0; f < m_mesh.quads.size(); ++f) {
+      const Quality q = quality(f, m_mesh.quads[f][0], m_place[m_mesh.quads[f][0]]);
+      result.least = std::min(result.least, q.least);
+      result.mean += q.least / double(m_mesh.quads.size());
+    }
+    return result;
+  }
+
+  // returns the number of moves
+  std::size_t sweep(double guard)
+  {
+    m_guard = guard;
+    std::size_t moves = 0;
+    std::vector<char> active(m_place.size(), false);
+    active.swap(m_is_active);
+    for (std::size_t v = 0; v < m_place.size(); ++v)
+      if ((active[v] || m_is_active[v]) && improve(v)) {
+        ++moves;
+        for (std::size_t c = m_first[v]; c < m_first[v + 1]; ++c)
+          for (std::size_t w : m_mesh.quads[m_corner[c].first]) m_is_active[w] = true;
+      }
+    return moves;
+  }
+
+  void store() const
+  {
+    for (std::size_t v = 0; v < m_place.size(); ++v) {
+      m_mesh.points[v] = m_place[v].point;
+      m_mesh.input_points[v] = m_place[v].at;
+    }
+  }
+
+private:
+  // of a quad, when vertex v is at a place; it does not depend on which vertex that is, not even in rounding, so that
+  // comparisons hold for the mesh as it will be
+  Quality quality(std::size_t f, std::size_t v, const Place& place) const
+  {
+    std::array<Point_3, 4> p;
+    Vector outward(0, 0, 0);
+    for (int k = 0; k < 4; ++k) {
+      const std::size_t w = m_mesh.quads[f][k];
+      const Place& at = w == v ? place : m_place[w];
+      p[k] = at.point;
+      outward += at.normal;
+    }
+    std::array<Vector, 4> direction;   // of the side from corner k
+    std::array<double, 4> side;
+    for (int k = 0; k < 4; ++k) {
+      const Vector d = p[(k + 1) % 4] - p[k];
+      side[k] = std::max(length(d), not_0);
+      direction[k] = d / side[k];
+    }
+    Vector normal = unit(CGAL::cross_product(p[2] - p[0], p[3] - p[1]));
+    if (CGAL::scalar_product(normal, outward / 4) < turned_over) normal = -normal;
+    Quality result;
+    for (int k = 0; k < 4; ++k) {
+      const int before = (k + 3) % 4;
+      const double sine = CGAL::scalar_product(CGAL::cross_product(direction[before], direction[k]), normal);
+      result.least = std::min(result.least, sine);
+      result.sum += (1 - sine) * (1 - sine) + unevenness(side[before], side[k]);
+    }
+    return result;
+  }
+
+  // of the quads around v
+  Quality around(std::size_t v, const Place& place) const
+  {
+    Quality result;
+    for (std::size_t c = m_first[v]; c < m_first[v + 1]; ++c) {
+      const Quality q = quality(m_corner[c].first, v, place);
+      result.least = std::min(result.least, q.least);
+      result.sum += q.sum;
+    }
+    return result;
+  }
+
+  const Point_3& at_corner(std::size_t c, int ahead) const
+  { return m_place[m_mesh.quads[m_corner[c].first][(m_corner[c].second + ahead) % 4]].point; }
+
+  // a quarter of the mean edge
+  double longest_step(std::size_t v) const
+  {
+    double sum = 0;
+    for (std::size_t c = m_first[v]; c < m_first[v + 1]; ++c) sum += length(at_corner(c, 1) - m_place[v].point);
+    return sum / (4 * double(m_first[v + 1] - m_first[v]));
+  }
+
+  bool is_better(const Quality& a, const Quality& b) const
+  { return a.sum < (1 - smallest_gain) * b.sum && a.least >= std::min(b.least, m_guard); }
+
+  // moves v by a step in its tangent plane, if that is better, and not through a thin part to its other side; most
+  // steps are refused before the nearest point is looked for
+  bool try_step(std::size_t v, const Vector& step, Quality& now)
+  {
+    Place place = m_place[v];
+    place.point = place.point + step;
+    if (!is_better(around(v, place), now)) return false;
+    const std::optional<Place> nearest = m_surface.nearest(place.point, m_place[v]);
+    if (!nearest || CGAL::scalar_product(nearest->normal, m_place[v].normal) <= 0) return false;
+    const Quality then = around(v, *nearest);
+    if (!is_better(then, now)) return false;
+    m_place[v] = *nearest;
+    now = then;
+    return true;
+  }
+
+  // goes all the way, half of it, or a quarter
+  bool try_target(std::size_t v, const Vector& to, Quality& now)
+  {
+    const Vector n = m_place[v].normal;
+    Vector step = to - CGAL::scalar_product(to, n) * n;
+    for (int k = 0; k < 3; ++k, step = step / 2)
+      if (try_step(v, step, now)) return true;
+    return false;
+  }
+
+  // moves v at most once
+  bool improve(std::size_t v)
+  {
+    Quality now = around(v, m_place[v]);
+    Vector completion(0, 0, 0), middle(0, 0, 0);
+    const double quads = double(m_first[v + 1] - m_first[v]);
+    for (std::size_t c = m_first[v]; c < m_first[v + 1]; ++c) {
+      const Vector next = at_corner(c, 1) - m_place[v].point, across = at_corner(c, 2) - m_place[v].point,
+                   previous = at_corner(c, 3) - m_place[v].point;
+      completion += (next + previous - across) / quads;
+      middle += next / quads;
+    }
+    return try_target(v, completion, now) || try_target(v, middle, now) || search(v, now);
+  }
+
+  // tries all directions; the step grows and shrinks with success
+  bool search(std::size_t v, Quality& now)
+  {
+    const Vector n = m_place[v].normal;
+    const Vector x = unit(std::abs(n.x()) < 0.6 ? Vector(0, n.z(), -n.y()) : Vector(-n.z(), 0, n.x()));
+    const Vector y = CGAL::cross_product(n, x);
+    const double most = longest_step(v);
+    m_step[v] = std::min(m_step[v], most);
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2 * CGAL_PI * k / directions;
+      if (try_step(v, m_step[v] * (std::cos(angle) * x + std::sin(angle) * y), now)) {
+        m_step[v] *= 1.5;
+        return true;
+      }
+    }
+    m_step[v] = std::max(m_step[v] / 2, most / 16);
+    return false;
+  }
+
+  const Input_surface&     m_surface;
+  Quad_mesh&               m_mesh;
+  std::vector<std::size_t> m_first;                      // by vertex: its first corner
+  std::vector<std::pair<std::size_t, int>> m_corner;     // quad, and which of its corners; by vertex
+  std::vector<Place>       m_place;                      // by vertex
+  std::vector<double>      m_step;                       // by vertex: of the pattern search
+  std::vector<char>        m_is_active;                  // by vertex: something around it has moved
+  double                   m_guard = 0;
+};
+
+} // namespace
+
+Smoothing_report smooth_quads(const Intrinsic_triangulation& input, const Smoothing_options& options, Quad_mesh& m)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  internal::require_embedded(input, "smoothing");
+  const Input_surface surface(input);
+  Smoother smoother(surface, m);
+  Smoothing_report report;
+  report.history.push_back(smoother.measure(0));
+  for (std::size_t k = 0; k < options.sweeps; ++k) {
+    const std::size_t moves = smoother.sweep(std::max(options.guard, report.history.back().least));
+    const Smoothing_sweep before = report.history.back(), after = smoother.measure(moves);
+    report.history.push_back(after);
+    if (after.least - before.least < options.least_gain && after.mean - before.mean < options.least_gain) break;
+  }
+  smoother.store();
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return report;
+}
+
+} } // namespace CGAL::Quartic_differentials
