@@ -23,15 +23,6 @@ using namespace CGAL::Quartic_differentials;
 
 namespace {
 
-const char* name(Quantization_method method)
-{
-  switch (method) {
-    case Quantization_method::optimal:   return "cuts";
-    case Quantization_method::incumbent: return "raised arcs";
-    default:                             return "even";
-  }
-}
-
 void print_row(const T_mesh& t, const Refined_surface& refined, const Quantization_options& options)
 {
   Visitor visitor;

@@ -166,8 +166,9 @@ public:
   {
     // harmonic forms are eta_k + dg_k in every triangulation of the surface that has these vertices
     const Halfedge e = m_data->correspondence.copied(h);
+    const auto& eta = steps().loops->classes.basis.cochains;
     const auto& g = steps().forms.potential;
-    return (m_data->cochains.row(e).template cast<double>() + g.row(input().target(e)) - g.row(input().source(e)))
+    return (eta.row(e).template cast<double>() + g.row(input().target(e)) - g.row(input().source(e)))
          * m_data->normalisation;
   }
 
@@ -181,12 +182,10 @@ public:
   {
     const Riemann_surface& s = steps();
     const Abel_jacobi_map map(s.delaunay, s.homology.cochains, s.forms);
-    Divisor on_delaunay = copied(divisor);
-    for (Singularity& p : on_delaunay) p.location = s.refinement->from_input(p.location);
     Visitor visitor;
-    Divisor legal = Quartic_differentials::legalize_divisor(map, s.periods, on_delaunay, options, visitor).divisor;
-    for (Singularity& p : legal) p.location = s.refinement->to_input(p.location);
-    return on_mesh(legal);
+    const Legal_divisor legal = Quartic_differentials::legalize_divisor(map, s.periods, on_delaunay(s, copied(divisor)),
+                                                                        options, visitor);
+    return on_mesh(on_input(s, legal.divisor));
   }
 
 private:
@@ -195,7 +194,6 @@ private:
     template <class NamedParameters>
     Data(const TriangleMesh& mesh, const NamedParameters& np)
       : input(intrinsic_triangulation(mesh, np)), correspondence(mesh, input, np), surface(steps_1_to_3(input)),
-        cochains(cochains_of_loops(surface.homology, input.number_of_edges())),
         normalisation(Quartic_differentials::normalisation(surface.periods))
     {}
 
@@ -208,7 +206,6 @@ private:
     Intrinsic_triangulation                     input;
     internal::Mesh_correspondence<TriangleMesh> correspondence;
     Riemann_surface                             surface;
-    Integer_cochains                            cochains;   // on the input
     Eigen::MatrixXcd                            normalisation;
   };
 

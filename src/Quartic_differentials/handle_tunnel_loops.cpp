@@ -7,6 +7,7 @@
 #include <CGAL/Quartic_differentials/internal/integer_matrix.h>
 #include <CGAL/Quartic_differentials/internal/shortest_path_tree.h>
 #include <CGAL/Quartic_differentials/internal/tree_cotree.h>
+#include <CGAL/Quartic_differentials/intersection_number.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -84,16 +85,11 @@ Edge_loop edge_loop(const Intrinsic_triangulation& t, Walk walk)
 // coefficients of a_1 .. a_g, b_1 .. b_g
 using Class = std::vector<int>;
 
-// The class of a walk on which the cochains dual to a canonical basis have these integrals: a.x = x_b, b.x = -x_a.
+// The class of a walk on which the cochains dual to a canonical basis have these integrals.
 Class class_of(const Eigen::RowVectorXi& integrals)
 {
-  const int n = static_cast<int>(integrals.size()), g = n / 2;
-  Class x(n);
-  for (int i = 0; i < g; ++i) {
-    x[i] = -integrals[g + i];
-    x[g + i] = integrals[i];
-  }
-  return x;
+  const Eigen::RowVectorXi x = coefficients_of_class(integrals);
+  return Class(x.begin(), x.end());
 }
 
 Eigen::RowVectorXi integrals(const Integer_cochains& eta, const Walk& walk)
@@ -109,12 +105,7 @@ Class negative(Class x)
   return x;
 }
 
-Class row(const Eigen::MatrixXi& m, int i)
-{
-  Class x(m.cols());
-  for (int k = 0; k < m.cols(); ++k) x[k] = m(i, k);
-  return x;
-}
+Class row(const Eigen::MatrixXi& m, int i) { return Class(m.row(i).begin(), m.row(i).end()); }
 
 bool is_zero(const Class& x, int first, int last)
 {
@@ -133,7 +124,10 @@ class Loop_catalogue
 {
 public:
   Loop_catalogue(const Intrinsic_triangulation& t, const Integer_cochains& eta)
-    : m_t(t), m_eta(eta), m_distance(t.number_of_vertices(), infinity) {}
+    : m_t(t), m_eta(eta), m_crosses(t.number_of_edges()), m_distance(t.number_of_vertices(), infinity)
+  {
+    for (Edge e : t.edges()) m_crosses[e] = !eta.values().row(e.idx()).isZero();
+  }
 
   // looks at the loops through a vertex that are at most twice the radius long
   void add_root(Vertex root, double radius = infinity)
@@ -183,7 +177,7 @@ private:
       const Halfedge h = tree.parent[v];
       if (h == Mesh::null_halfedge()) continue;
       value_at[v] = value_at[m_t.source(h)];
-      if (m_eta.row(h).isZero()) continue;
+      if (!m_crosses[m_t.edge(h)]) continue;
       value.push_back(value[value_at[v]] + m_eta.row(h));
       value_at[v] = static_cast<int>(value.size()) - 1;
     }
@@ -192,7 +186,7 @@ private:
       Halfedge h = m_t.halfedge(e);
       const Vertex from = m_t.source(h), to = m_t.target(h);
       const double length = tree.distance[from] + m_t.length(e) + tree.distance[to];
-      if (length == infinity || (value_at[from] == value_at[to] && m_eta.row(h).isZero())) continue;
+      if (length == infinity || (value_at[from] == value_at[to] && !m_crosses[e])) continue;
       Class x = class_of(value[value_at[from]] + m_eta.row(h) - value[value_at[to]]);
       if (is_turned(x)) { x = negative(x); h = m_t.opposite(h); }
       if (is_zero(x, 0, m_eta.size())) continue;
@@ -211,6 +205,7 @@ private:
 
   const Intrinsic_triangulation& m_t;
   const Integer_cochains&        m_eta;
+  std::vector<char>              m_crosses;    // by edge: a cochain is not 0 on it
   std::map<Class, Edge_loop>     m_loops;
   std::vector<double>            m_distance;   // from the nearest root
 };

@@ -170,11 +170,7 @@ std::vector<Holomorphic_zero> zeros_of_holomorphic_form(const Intrinsic_triangul
   for (Vertex v : t.vertices()) {
     const int index = indices[v];
     if (index == 0) continue;
-    const Halfedge h = t.halfedge_from(v);
-    Surface_point p{t.face(h), {0, 0, 0}};
-    p.barycentric[t.corner(h)] = 1;
-    if (index == -1) p = refined_zero(t, re, im, v);
-    zeros.push_back({v, -index, p});
+    zeros.push_back({v, -index, index == -1 ? refined_zero(t, re, im, v) : at_vertex(t, v)});
   }
   for (Face f : t.faces())
     if (const int index = face_index(t, re, f); index != 0)

@@ -143,12 +143,9 @@ std::int64_t intersection_number(const Intrinsic_triangulation& t, const Closed_
 Homology_class homology_class(const Intrinsic_triangulation& t, const Integer_cochains& canonical,
                               const Closed_curve& curve)
 {
-  const int g = canonical.size() / 2;
-  Homology_class period = Homology_class::Zero(2 * g);   // a_i . curve and b_i . curve
-  for (Halfedge h : edge_walk(t, curve)) period += canonical.row(h).transpose().cast<std::int64_t>();
-  Homology_class coefficients(2 * g);
-  coefficients << -period.tail(g), period.head(g);
-  return coefficients;
+  Homology_class values = Homology_class::Zero(canonical.size());
+  for (Halfedge h : edge_walk(t, curve)) values += canonical.row(h).transpose().cast<std::int64_t>();
+  return coefficients_of_class(values);
 }
 
 std::int64_t intersection_number(const Homology_class& x, const Homology_class& y)

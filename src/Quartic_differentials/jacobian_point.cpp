@@ -27,11 +27,9 @@ Jacobian_point jacobian_point(const Riemann_surface& surface, const Divisor& div
     throw Infeasible_divisor_error("the degree of the divisor is " + std::to_string(d) + ": a point of the Jacobian "
                                    "belongs to degree 0, and to 8g-8 = " + std::to_string(8 * g - 8)
                                    + " when quartic differentials are asked for");
-  Divisor on_delaunay = divisor;
-  for (Singularity& p : on_delaunay) p.location = surface.refinement->from_input(p.location);
   const Abel_jacobi_map map(surface.delaunay, surface.homology.cochains, surface.forms);
   // F is affine in the divisor, with a constant that belongs to quartic differentials
-  Eigen::VectorXd f = map.residual(on_delaunay);
+  Eigen::VectorXd f = map.residual(on_delaunay(surface, divisor));
   if (d == 0) f -= map.constant();
   const Eigen::VectorXd quarter_turns = f / (0.5 * CGAL_PI);
   const Eigen::VectorXd rho = quarter_turns.array().round().matrix() - quarter_turns;

@@ -7,7 +7,6 @@
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/initial_divisor.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
-#include <CGAL/Quartic_differentials/internal/face_frames.h>
 #include <CGAL/Quartic_differentials/internal/scientific.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
@@ -27,8 +26,7 @@ Divisor starting_divisor(const Riemann_surface& s, const std::optional<Divisor>&
                          const Quartic_differential_options& options, Visitor& visitor,
                          std::optional<Chosen_singularities>& choice)
 {
-  Divisor given = singularities.value_or(Divisor());
-  for (Singularity& p : given) p.location = s.refinement->from_input(p.location);
+  const Divisor given = on_delaunay(s, singularities.value_or(Divisor()));
   if (!singularities || options.add_to_given) {
     const bool from_curvature = options.choice.start == Singularity_start::curvature
                              || options.choice.start == Singularity_start::automatic;
@@ -117,8 +115,7 @@ void set_positions(const Intrinsic_triangulation& input, const Divisor& divisor,
 // The final divisor on the input, and the cones' places in space.
 void place_singularities(const Intrinsic_triangulation& input, Quartic_differential_result& r)
 {
-  r.singularities = r.metric->divisor;
-  for (Singularity& s : r.singularities) s.location = r.surface->refinement->to_input(s.location);
+  r.singularities = on_input(*r.surface, r.metric->divisor);
   set_positions(input, r.singularities, r.metric->metric.cones, r.metric->metric.triangulation);
 }
 

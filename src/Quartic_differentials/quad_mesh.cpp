@@ -4,9 +4,11 @@
 
 #include <CGAL/Quartic_differentials/quad_mesh.h>
 
+#include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Patch_locator.h>
 #include <CGAL/Quartic_differentials/internal/Quad_grid.h>
+#include <CGAL/Quartic_differentials/internal/Quad_shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +27,6 @@ using internal::Quad_grid;
 using Side = std::vector<T_mesh::Side_piece>;
 
 const std::size_t none = static_cast<std::size_t>(-1);
-
-bool is_singularity(const T_mesh::Node& node) { return node.kind == T_mesh::Node_kind::singularity; }
 
 // The places of the grids' points on the refined surface.
 class Placement
@@ -54,7 +54,7 @@ private:
   {
     for (bool singular : {true, false})
       for (std::size_t n = 0; n < m_t.nodes.size(); ++n)
-        if (is_singularity(m_t.nodes[n]) == singular)
+        if (m_t.nodes[n].is_singularity() == singular)
           place(n, m_locator.in_face(m_t.nodes[n].face, m_t.nodes[n].point));
   }
 
@@ -144,19 +144,6 @@ private:
   std::vector<std::optional<Surface_point>> m_place;   // by vertex
 };
 
-Point_3 position(const Intrinsic_triangulation& t, const Surface_point& p)
-{
-  double x = 0, y = 0, z = 0;
-  const auto h = t.halfedges(p.face);
-  for (int k = 0; k < 3; ++k) {
-    const Point_3& corner = t.mesh().point(t.source(h[k]));
-    x += p.barycentric[k] * corner.x();
-    y += p.barycentric[k] * corner.y();
-    z += p.barycentric[k] * corner.z();
-  }
-  return Point_3(x, y, z);
-}
-
 } // namespace
 
 Quad_mesh quad_mesh(const T_mesh& t, const std::vector<int>& q, const Refined_surface& refined)
@@ -169,13 +156,13 @@ Quad_mesh quad_mesh(const T_mesh& t, const std::vector<int>& q, const Refined_su
     const std::size_t v = grid.vertex(point);
     if (index[v] == none) {
       index[v] = result.points.size();
-      result.points.push_back(position(refined.differential.triangulation, place(v)));
+      result.points.push_back(position_on_input(refined.differential.triangulation, place(v)));
       result.input_points.push_back(refined.to_input(place(v)));
     }
     return index[v];
   };
   for (std::size_t n = 0; n < t.nodes.size(); ++n)
-    if (is_singularity(t.nodes[n])) result.singularities.push_back(vertex(n));
+    if (t.nodes[n].is_singularity()) result.singularities.push_back(vertex(n));
   for (const Quad_grid::Quad& quad : grid.quads()) {
     result.quads.push_back({vertex(quad.point[0]), vertex(quad.point[1]), vertex(quad.point[2]),
                             vertex(quad.point[3])});
@@ -219,7 +206,7 @@ std::string defect(const Quad_mesh& m, const T_mesh& t)
   std::vector<char> is_singular(m.points.size(), false);
   std::size_t s = 0;
   for (const T_mesh::Node& node : t.nodes) {
-    if (!is_singularity(node)) continue;
+    if (!node.is_singularity()) continue;
     if (s == m.singularities.size() || m.singularities[s] >= m.points.size()) return "a singularity has no vertex";
     const std::size_t v = m.singularities[s++];
     if (is_singular[v]) return name("vertex", v) + " has two singularities";
@@ -228,10 +215,8 @@ std::string defect(const Quad_mesh& m, const T_mesh& t)
   }
   for (std::size_t v = 0; v < valence.size(); ++v)
     if (valence[v] != expected[v]) return name("vertex", v) + " has " + std::to_string(valence[v]) + " quads";
-  const auto chi = [](std::size_t v, std::size_t e, std::size_t f)
-  { return static_cast<long>(v) - static_cast<long>(e) + static_cast<long>(f); };
-  if (chi(m.points.size(), 2 * m.quads.size(), m.quads.size())
-      != chi(t.nodes.size(), t.arcs.size(), t.patches.size()))
+  // every edge is on two quads: V - E + F = V - F
+  if (static_cast<long>(m.points.size()) - static_cast<long>(m.quads.size()) != t.euler_characteristic())
     return "the genus is not that of the T-mesh";
   return {};
 }
@@ -250,24 +235,16 @@ Mesh surface_mesh(const Quad_mesh& m, const T_mesh& t)
   }
   std::size_t s = 0;
   for (const T_mesh::Node& node : t.nodes)
-    if (is_singularity(node)) order[vertex(m.singularities[s++])] = node.order;
+    if (node.is_singularity()) order[vertex(m.singularities[s++])] = node.order;
   return mesh;
 }
 
 Scaled_jacobian scaled_jacobian(const Quad_mesh& m)
 {
   Scaled_jacobian result{std::numeric_limits<double>::infinity(), 0};
-  const auto length = [](const auto& v) { return std::sqrt(v.squared_length()); };
-  const double not_0 = std::numeric_limits<double>::min();
   for (const auto& quad : m.quads) {
-    const auto point = [&](int k) -> const Point_3& { return m.points[quad[k % 4]]; };
-    const auto normal = CGAL::cross_product(point(2) - point(0), point(3) - point(1));
-    double least = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 4; ++k) {
-      const auto a = point(k + 1) - point(k), b = point(k + 3) - point(k);
-      const double lengths = std::max(length(a) * length(b) * length(normal), not_0);
-      least = std::min(least, CGAL::scalar_product(CGAL::cross_product(a, b), normal) / lengths);
-    }
+    const internal::Quad_shape shape({m.points[quad[0]], m.points[quad[1]], m.points[quad[2]], m.points[quad[3]]});
+    const double least = *std::min_element(shape.sine.begin(), shape.sine.end());
     result.least = std::min(result.least, least);
     result.mean += least / double(m.quads.size());
   }

@@ -30,13 +30,6 @@ const std::size_t most_scales = 12, most_scales_above = 4;   // the latter if al
 
 double squared(double x) { return x * x; }
 
-std::size_t number_of_quads(const T_mesh& t, const std::vector<int>& q)
-{
-  std::size_t sum = 0;
-  for (const T_mesh::Patch& patch : t.patches) sum += side_length(patch.sides[0], q) * side_length(patch.sides[1], q);
-  return sum;
-}
-
 // in squared grid units
 double area(const T_mesh& t)
 {
@@ -67,6 +60,13 @@ std::string defect_of_sums(const T_mesh& t, const std::vector<int>& q)
       return "opposite sides of patch " + std::to_string(p) + " are not equal";
   }
   return {};
+}
+
+// \param grid that of t and q
+std::string defect_of(const T_mesh& t, const std::vector<int>& q, const Quad_grid& grid)
+{
+  const std::string violation = defect_of_sums(t, q);
+  return violation.empty() ? grid.defect(t) : violation;
 }
 
 class Quantizer
@@ -193,8 +193,9 @@ private:
       }
       result.cuts += cuts.size();
       if (!cuts.empty()) continue;
-      const std::vector<std::vector<std::size_t>> crowded = Quad_grid(m_t, result.length).crowded_arcs();
-      if (crowded.empty()) break;
+      const Quad_grid grid(m_t, result.length);
+      const std::vector<std::vector<std::size_t>> crowded = grid.crowded_arcs();
+      if (crowded.empty()) return finished(std::move(result), grid, x);
       for (const auto& arcs : crowded) {
         const std::size_t a = most_shortened(arcs, x, result.length);
         program.raise(a, result.length[a] + step);
@@ -202,7 +203,6 @@ private:
       result.cuts += crowded.size();
       is_relaxation = false;
     }
-    return finished(std::move(result), x);
   }
 
   // the arc that is furthest below the length it should have; without q, the longest one
@@ -214,14 +214,14 @@ private:
                              [&](std::size_t a, std::size_t b) { return missing(a) < missing(b); });
   }
 
-  Quantization finished(Quantization result, const std::vector<double>& x) const
+  Quantization finished(Quantization result, const Quad_grid& grid, const std::vector<double>& x) const
   {
-    const std::string violation = quantization_defect(m_t, result.length);
+    const std::string violation = defect_of(m_t, result.length, grid);
     if (!violation.empty()) throw Numerical_error("the quantization is not valid: " + violation);
     for (std::size_t a = 0; a < x.size(); ++a) result.cost += squared(result.length[a] - x[a]);
     const double rounding = 1e-6 * (1 + result.cost);
     result.optimal = result.cost <= result.lower_bound + rounding;
-    result.number_of_quads = number_of_quads(m_t, result.length);
+    result.number_of_quads = grid.quads().size();
     return result;
   }
 
@@ -236,6 +236,15 @@ private:
 };
 
 } // namespace
+
+const char* name(Quantization_method method)
+{
+  switch (method) {
+    case Quantization_method::optimal:   return "optimal";
+    case Quantization_method::incumbent: return "incumbent";
+    default:                             return "even";
+  }
+}
 
 Quantization quantize(const T_mesh& t, const Quantization_options& options, Visitor& visitor)
 {

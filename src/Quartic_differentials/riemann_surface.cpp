@@ -54,6 +54,18 @@ Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& v
   return s;
 }
 
+Divisor on_delaunay(const Riemann_surface& s, Divisor divisor)
+{
+  for (Singularity& p : divisor) p.location = s.refinement->from_input(p.location);
+  return divisor;
+}
+
+Divisor on_input(const Riemann_surface& s, Divisor divisor)
+{
+  for (Singularity& p : divisor) p.location = s.refinement->to_input(p.location);
+  return divisor;
+}
+
 Riemann_surface riemann_surface(const Coarse_surface& coarse)
 {
   Riemann_surface s;

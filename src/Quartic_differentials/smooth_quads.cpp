@@ -5,18 +5,15 @@
 #include <CGAL/Quartic_differentials/smooth_quads.h>
 
 #include <CGAL/Quartic_differentials/Common_refinement.h>
+#include <CGAL/Quartic_differentials/internal/Nearest_point.h>
+#include <CGAL/Quartic_differentials/internal/Quad_shape.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
-
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -24,14 +21,11 @@ namespace Quartic_differentials {
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Vector = Kernel::Vector_3;
+using internal::length;
+using internal::unit;
+using Vector = internal::Vector_3;
 
-const double not_0 = std::numeric_limits<double>::min();
 const double infinity = std::numeric_limits<double>::infinity();
-
-double length(const Vector& v) { return std::sqrt(v.squared_length()); }
-Vector unit(const Vector& v) { return v / std::max(length(v), not_0); }
 
 // A point of the input, with the surface's normal there: faces' normals, averaged at vertices and linear between.
 struct Place
@@ -45,17 +39,15 @@ class Input_surface
 {
 public:
   explicit Input_surface(const Intrinsic_triangulation& t)
-    : m_t(t), m_normal(t.number_of_vertices(), Vector(0, 0, 0))
+    : m_t(t), m_normal(t.number_of_vertices(), Vector(0, 0, 0)), m_nearest(t)
   {
     for (Face f : t.faces()) {
-      const std::array<Point_3, 3> p = corners(f);
-      const Vector n = CGAL::cross_product(p[1] - p[0], p[2] - p[0]);
-      for (Halfedge h : t.halfedges(f)) m_normal[t.source(h)] += n;
+      const auto h = t.halfedges(f);
+      const auto at = [&](int k) { return t.mesh().point(t.source(h[k])); };
+      const Vector n = CGAL::cross_product(at(1) - at(0), at(2) - at(0));
+      for (Halfedge k : h) m_normal[t.source(k)] += n;
     }
     for (Vector& n : m_normal) n = unit(n);
-    m_tree.insert(t.faces().begin(), t.faces().end(), t.mesh());
-    m_tree.do_not_accelerate_distance_queries();   // a place of the mesh is near always
-    m_tree.build();
   }
 
   Place place(const Surface_point& at) const
@@ -66,37 +58,12 @@ public:
     return {at, position_on_input(m_t, at), unit(normal)};
   }
 
-  // the nearest point, if it is not on a face without area
-  std::optional<Place> nearest(const Point_3& p, const Place& near) const
-  {
-    const auto [q, face] = m_tree.closest_point_and_primitive(p, {near.point, near.at.face});
-    const std::array<Point_3, 3> corner = corners(face);
-    const Vector n = CGAL::cross_product(corner[1] - corner[0], corner[2] - corner[0]);
-    Surface_point at{face, {}};
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) {
-      const Vector area = CGAL::cross_product(corner[(k + 1) % 3] - q, corner[(k + 2) % 3] - q);
-      at.barycentric[k] = std::max(CGAL::scalar_product(area, n), 0.);
-      sum += at.barycentric[k];
-    }
-    if (!(sum > 0)) return std::nullopt;
-    for (double& b : at.barycentric) b /= sum;
-    return place(at);
-  }
+  Place nearest(const Point_3& p, const Place& near) const { return place(m_nearest(p, near.point, near.at.face)); }
 
 private:
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-
-  std::array<Point_3, 3> corners(Face f) const
-  {
-    const auto h = m_t.halfedges(f);
-    return {m_t.mesh().point(m_t.source(h[0])), m_t.mesh().point(m_t.source(h[1])), m_t.mesh().point(m_t.source(h[2]))};
-  }
-
   const Intrinsic_triangulation& m_t;
   std::vector<Vector>            m_normal;   // by vertex
-  Tree                           m_tree;
+  internal::Nearest_point        m_nearest;
 };
 
 // How good quads are.
@@ -183,21 +150,13 @@ private:
       p[k] = at.point;
       outward += at.normal;
     }
-    std::array<Vector, 4> direction;   // of the side from corner k
-    std::array<double, 4> side;
-    for (int k = 0; k < 4; ++k) {
-      const Vector d = p[(k + 1) % 4] - p[k];
-      side[k] = std::max(length(d), not_0);
-      direction[k] = d / side[k];
-    }
-    Vector normal = unit(CGAL::cross_product(p[2] - p[0], p[3] - p[1]));
-    if (CGAL::scalar_product(normal, outward / 4) < turned_over) normal = -normal;
+    const internal::Quad_shape shape(p);
+    const double sign = CGAL::scalar_product(shape.normal, outward / 4) < turned_over ? -1 : 1;
     Quality result;
     for (int k = 0; k < 4; ++k) {
-      const int before = (k + 3) % 4;
-      const double sine = CGAL::scalar_product(CGAL::cross_product(direction[before], direction[k]), normal);
+      const double sine = sign * shape.sine[k];
       result.least = std::min(result.least, sine);
-      result.sum += (1 - sine) * (1 - sine) + unevenness(side[before], side[k]);
+      result.sum += (1 - sine) * (1 - sine) + unevenness(shape.side[(k + 3) % 4], shape.side[k]);
     }
     return result;
   }
@@ -235,11 +194,11 @@ private:
     Place place = m_place[v];
     place.point = place.point + step;
     if (!is_better(around(v, place), now)) return false;
-    const std::optional<Place> nearest = m_surface.nearest(place.point, m_place[v]);
-    if (!nearest || CGAL::scalar_product(nearest->normal, m_place[v].normal) <= 0) return false;
-    const Quality then = around(v, *nearest);
+    const Place nearest = m_surface.nearest(place.point, m_place[v]);
+    if (CGAL::scalar_product(nearest.normal, m_place[v].normal) <= 0) return false;
+    const Quality then = around(v, nearest);
     if (!is_better(then, now)) return false;
-    m_place[v] = *nearest;
+    m_place[v] = nearest;
     now = then;
     return true;
   }

@@ -44,7 +44,7 @@ std::string defect_of_nodes(const T_mesh& t, const Quartic_differential& q)
     const T_mesh::Node& node = t.nodes[n];
     if (node.face.idx() >= q.triangulation.number_of_faces()) return node_name(n) + " is in no face";
     if (!Doubled_charts(q).face_holds(node.face, node.point)) return node_name(n) + " is not in its face";
-    if (node.kind != T_mesh::Node_kind::singularity) {
+    if (!node.is_singularity()) {
       if (node.order != 0) return node_name(n) + " is no singularity but has an order";
       continue;
     }
@@ -156,8 +156,7 @@ std::string defect_at_nodes(const T_mesh& t)
 
 std::string defect_of_sums(const T_mesh& t, const Quartic_differential& q)
 {
-  const long chi = static_cast<long>(t.nodes.size()) - static_cast<long>(t.arcs.size())
-                 + static_cast<long>(t.patches.size());
+  const long chi = t.euler_characteristic();
   if (chi != 2 - 2 * q.triangulation.genus()) return "the Euler characteristic is " + std::to_string(chi);
   __int128 area = 0;
   for (const T_mesh::Patch& patch : t.patches) area += static_cast<__int128>(patch.width) * patch.height;

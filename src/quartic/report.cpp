@@ -260,11 +260,10 @@ Json quality_report(const Run_facts& facts, const Quartic_differential_result& r
 Json quads_report(const Quads& quads)
 {
   const Quantization& q = quads.quantization;
-  const char* const methods[] = {"optimal", "incumbent", "even"};
   const Scaled_jacobian jacobian = scaled_jacobian(quads.mesh);
   Json report = {{"target", q.target}, {"quads", quads.mesh.quads.size()}, {"vertices", quads.mesh.points.size()},
                  {"scaled_jacobian", {{"min", jacobian.least}, {"mean", jacobian.mean}}},
-                 {"quantization", {{"method", methods[static_cast<int>(q.method)]}, {"optimal", q.optimal}, {"cost", q.cost},
+                 {"quantization", {{"method", name(q.method)}, {"optimal", q.optimal}, {"cost", q.cost},
                                    {"lower_bound", q.lower_bound}, {"scale", q.scale}, {"cuts", q.cuts},
                                    {"programs_solved", q.solves}, {"seconds", q.seconds}}}};
   if (!q.shortfall.empty()) report["shortfall"] = q.shortfall;

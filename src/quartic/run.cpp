@@ -35,10 +35,9 @@ namespace {
 struct Run_options
 {
   std::string                  mesh, folder, singularities;
-  bool                         quiet = false, intrinsic = false;
+  bool                         quiet = false, intrinsic = false, quads = false, smooth = true;
   Quartic_differential_options pipeline;
-  Quantization_options         quads{0};   // none, as long as nothing is asked for
-  bool                         smooth = true;
+  Quantization_options         quantization;
 };
 
 const char* const output_files[] = {"flat.obj", "flat.mtl", "flat.png", "flat_intrinsic.json", "flat_intrinsic.obj", "flat_intrinsic.mtl",
@@ -83,15 +82,10 @@ void write_results(const std::string& folder, const Intrinsic_triangulation& inp
   }
 }
 
-bool are_quads_wanted(const Run_options& options)
-{
-  return options.quads.number_of_quads > 0 || options.quads.edge_length > 0;
-}
-
 Quads made_quads(const Intrinsic_triangulation& input, const Quartic_differential_result& r,
                  const Run_options& run_options, Visitor& visitor)
 {
-  Quantization_options options = run_options.quads;
+  Quantization_options options = run_options.quantization;
   if (!r.t_mesh) throw Infeasible_divisor_error("there is no singularity, hence no T-mesh that could be cut into quads");
   options.surface_units_per_unit = r.refined->differential.surface_units_per_unit;
   Quads quads{quantize(*r.t_mesh, options, visitor), {}, {}};
@@ -123,7 +117,7 @@ void run(const Run_options& options)
     singularities = divisor_from_file(options.singularities, input);
   }
   facts.input = &input;
-  if (are_quads_wanted(options) && !input.is_embedded())
+  if (options.quads && !input.is_embedded())
     throw Unusable_surface_error("quads need positions in space, but the surface is known by its edge lengths alone");
   prepare_folder(options.folder);
 
@@ -132,7 +126,7 @@ void run(const Run_options& options)
   std::exception_ptr failure;
   try {
     quartic_differential(input, singularities, options.pipeline, progress, result);
-    if (are_quads_wanted(options)) {
+    if (options.quads) {
       const internal::Timed_step step(timed, "quad_mesh");
       quads = made_quads(input, result, options, progress);
     }
@@ -222,10 +216,10 @@ void add_run(CLI::App& app)
                       "Compute the flat metric, its holonomy and its layout with this number of binary digits; without it "
                       "doubles are used, and 128 digits where those are not enough")
          ->check(CLI::Range(64, 1024))->type_name("BITS");
-  CLI::Option* number = command->add_option("--quads", options->quads.number_of_quads,
+  CLI::Option* number = command->add_option("--quads", options->quantization.number_of_quads,
                                             "Also make a quad mesh, quads.obj, of about this number of quads")
                                ->check(CLI::Range(1, 100000000))->type_name("N");
-  command->add_option("--edge-length", options->quads.edge_length,
+  command->add_option("--edge-length", options->quantization.edge_length,
                       "Also make a quad mesh with sides of about this length")
          ->check(CLI::PositiveNumber)->type_name("H")->excludes(number);
   command->add_flag("!--no-smoothing", options->smooth,
@@ -237,6 +231,7 @@ void add_run(CLI::App& app)
   command->add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
   command->callback([options, command] {
     options->pipeline.add_to_given = command->count("--distortion") + command->count("--count") > 0;
+    options->quads = command->count("--quads") + command->count("--edge-length") > 0;
     run(*options);
   });
 }

@@ -82,10 +82,7 @@ private:
 std::vector<Holomorphic_zero> at_vertices(const Intrinsic_triangulation& t, std::vector<Holomorphic_zero> zeros)
 {
   for (Holomorphic_zero& z : zeros) {
-    if (z.vertex == Mesh::null_vertex()) continue;
-    const Halfedge h = t.halfedge_from(z.vertex);
-    z.location = {t.face(h), {0, 0, 0}};
-    z.location.barycentric[t.corner(h)] = 1;
+    if (z.vertex != Mesh::null_vertex()) z.location = at_vertex(t, z.vertex);
   }
   return zeros;
 }

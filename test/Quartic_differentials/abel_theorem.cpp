@@ -31,14 +31,6 @@ using Complex = std::complex<double>;
 
 const double pi = std::acos(-1.0);
 
-Surface_point at(const Intrinsic_triangulation& t, Vertex v)
-{
-  const Halfedge h = t.halfedge_from(v);
-  Surface_point p{t.face(h)};
-  p.barycentric[t.corner(h)] = 1;
-  return p;
-}
-
 // The distance of the Abel-Jacobi image of a divisor of degree 0 from the lattice, in lattice units. F is affine in the
 // divisor, so F(D + E) - F(D) = F(E) - F(0) for every D.
 double distance_from_principal(const Abel_jacobi_map& map, const Divisor& e)
@@ -65,11 +57,11 @@ public:
   int genus() const { return m_g; }
   double distance_from_principal(const Divisor& e) const { return ::distance_from_principal(m_map, e); }
 
-  Surface_point branch_point(int k) const { return at(m_surface.delaunay, Vertex(k)); }
+  Surface_point branch_point(int k) const { return at_vertex(m_surface.delaunay, Vertex(k)); }
   /// x = 0
-  Surface_point origin(int sheet) const { return at(m_surface.delaunay, Vertex(m_n + 2 * sheet)); }
+  Surface_point origin(int sheet) const { return at_vertex(m_surface.delaunay, Vertex(m_n + 2 * sheet)); }
   /// x = infinity
-  Surface_point infinity(int sheet) const { return at(m_surface.delaunay, Vertex(m_n + 2 * sheet + 1)); }
+  Surface_point infinity(int sheet) const { return at_vertex(m_surface.delaunay, Vertex(m_n + 2 * sheet + 1)); }
   /// any other point of the curve
   Surface_point point(Complex x, Complex y) const
   {
@@ -231,7 +223,7 @@ double torus_distance(int n, const std::array<int, 6>& turns)
   const std::array<int, 6> quarter{1, 1, 1, 2, 0, 0};
   Divisor d;
   for (int i = 0; i < 6; ++i)
-    d.push_back({at(s.delaunay, Vertex(turns[i] * n / 16 * m + quarter[i] * m / 4)), i < 3 ? 1 : -1});
+    d.push_back({at_vertex(s.delaunay, Vertex(turns[i] * n / 16 * m + quarter[i] * m / 4)), i < 3 ? 1 : -1});
   return distance_from_principal(map, d);
 }
 

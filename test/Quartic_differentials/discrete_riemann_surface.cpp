@@ -16,6 +16,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -115,6 +116,30 @@ void test_garbage()
   CHECK((test_steps_1_to_3(mesh, 1).pi - test_steps_1_to_3(as<Surface_mesh>(sample), 1).pi).norm() < 1e-12);
 }
 
+void test_refused_meshes()
+{
+  const auto refused = [](const Surface_mesh& mesh, const std::string& reason) {
+    CHECK_THROWS(QD::canonical_homology_basis(mesh), QD::Unusable_surface_error, reason);
+  };
+  using V = Surface_mesh::Vertex_index;
+  using P = Kernel::Point_3;
+  refused(Surface_mesh(), "no triangle");
+  Surface_mesh triangle;
+  for (const P& p : {P(0, 0, 0), P(1, 0, 0), P(0, 1, 0)}) triangle.add_vertex(p);
+  triangle.add_face(V(0), V(1), V(2));
+  refused(triangle, "boundary");
+  Surface_mesh cube;
+  CGAL::make_hexahedron(P(0, 0, 0), P(1, 0, 0), P(1, 1, 0), P(0, 1, 0), P(0, 1, 1), P(0, 0, 1), P(1, 0, 1), P(1, 1, 1),
+                        cube);
+  refused(cube, "not a triangle");
+  Surface_mesh flat, two;
+  CGAL::make_tetrahedron(P(0, 0, 0), P(1, 0, 0), P(2, 0, 0), P(0, 1, 0), flat);
+  refused(flat, "has no area");
+  for (double x : {0, 5})
+    CGAL::make_tetrahedron(P(x, 0, 0), P(x + 1, 0, 0), P(x, 1, 0), P(x, 0, 1), two);
+  refused(two, "not connected");
+}
+
 // a Delta-complex with parallel edges, which no points could describe
 void test_edge_lengths()
 {
@@ -192,6 +217,7 @@ int main()
 {
   test_mesh_types();
   test_garbage();
+  test_refused_meshes();
   test_edge_lengths();
   test_abel_jacobi_map(as<Surface_mesh>(QD::torus(2, 1, 20, 12)));
   test_abel_jacobi_map(as<Surface_mesh>(QD::handle_chain(2, 6)));

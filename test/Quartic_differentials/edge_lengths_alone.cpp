@@ -138,7 +138,7 @@ void test_without_positions(const std::string& name, const Mesh& mesh)
 // ---- Delta-complexes
 
 // A regular polygon with 4g sides, opposite sides glued: genus g, one vertex, triangles round a corner.
-Glued_triangles regular_polygon(int g)
+Glued_triangles one_vertex_polygon(int g)
 {
   const int n = 4 * g, triangles = n - 2;
   const auto chord = [n](int k) { return k == 1 || k == n - 1 ? 1 : std::sin(k * pi / n) / std::sin(pi / n); };
@@ -192,14 +192,6 @@ Quartic_differential_result run_checked(const std::string& name, const Intrinsic
   return r;
 }
 
-Surface_point at(const Intrinsic_triangulation& t, Vertex v)
-{
-  const Halfedge h = t.halfedge_from(v);
-  Surface_point p{t.face(h)};
-  p.barycentric[t.corner(h)] = 1;
-  return p;
-}
-
 // Simple zeros and poles in random faces, not too near each other.
 Divisor random_divisor(const Intrinsic_triangulation& t, int pairs, std::mt19937& random)
 {
@@ -224,7 +216,7 @@ void check_own_cones(const std::string& name, const Intrinsic_triangulation& t, 
                      const std::vector<int>& order)
 {
   Divisor divisor;
-  for (Vertex v : cones) divisor.push_back({at(t, v), order[v.idx()], false});
+  for (Vertex v : cones) divisor.push_back({at_vertex(t, v), order[v.idx()], false});
   const Quartic_differential_result r = run_checked(name, t, divisor);
   CHECK(r.metric->metric.cones == cones);
   for (double u : r.metric->metric.u) CHECK(std::abs(u) < 1e-12);
@@ -239,18 +231,18 @@ Intrinsic_triangulation equilateral(Glued_triangles s)
 
 void test_one_vertex(int g, std::mt19937& random)
 {
-  const Intrinsic_triangulation t(regular_polygon(g));
+  const Intrinsic_triangulation t(one_vertex_polygon(g));
   CHECK_EQUAL(t.number_of_vertices(), 1u);
   CHECK_EQUAL(t.genus(), g);
   CHECK_EQUAL(loops_and_parallel_edges(t), t.number_of_edges());
   check_own_cones("one vertex, its own cone", t, g == 1 ? std::vector<Vertex>() : std::vector<Vertex>{Vertex(0)},
                   {8 * g - 8});
   run_checked("one vertex, random singularities", t, random_divisor(t, 3, random));
-  const Intrinsic_triangulation e = equilateral(regular_polygon(g));
+  const Intrinsic_triangulation e = equilateral(one_vertex_polygon(g));
   run_checked("one vertex, equilateral triangles", e, random_divisor(e, 3, random));
   // singularities are chosen at vertices
   CHECK_THROWS(Quartic_test::run_pipeline(t), Infeasible_divisor_error, "subdivide");
-  run_checked("one vertex, subdivided", Intrinsic_triangulation(subdivided(regular_polygon(g))), std::nullopt);
+  run_checked("one vertex, subdivided", Intrinsic_triangulation(subdivided(one_vertex_polygon(g))), std::nullopt);
 }
 
 void test_square_tiled_surfaces(std::mt19937& random)
@@ -298,7 +290,7 @@ void test_perturbed_lengths(std::mt19937& random)
 
 void test_file_form()
 {
-  for (const Glued_triangles& s : {regular_polygon(2), hyperelliptic(3, 0)}) {
+  for (const Glued_triangles& s : {one_vertex_polygon(2), hyperelliptic(3, 0)}) {
     std::stringstream file;
     write_surface_json(file, s);
     const Glued_triangles again = read_surface_json(file.str());
@@ -373,7 +365,7 @@ void test_program()
   CHECK(contains(placed.err, "edge lengths alone"));
 
   std::ofstream octagon(folder / "octagon.json");
-  write_surface_json(octagon, regular_polygon(2));
+  write_surface_json(octagon, one_vertex_polygon(2));
   octagon.close();
   CHECK_EQUAL(folder.quartic("info octagon.json").status, 0);
   const Quartic_test::Outcome coarse = folder.quartic("run octagon.json -o coarse");

@@ -145,6 +145,13 @@ void check_quads()
   CHECK(!fs::exists(folder / "results" / "quads.obj"));
   check_failure("run chain.off -o quads --quads 2500 --edge-length 0.3", 1, "excludes");
   check_failure("run curve.json -o no_quads --quads 500", 2, "edge lengths alone");
+  std::ofstream(folder / "none.txt") << "# the flat torus\n";
+  check_failure("run torus.ply -o flat_torus --singularities none.txt --quads 500", 2, "no T-mesh that could be cut");
+  CHECK(fs::exists(folder / "flat_torus" / "flat.obj"));   // what was computed is written
+  std::ofstream(folder / "poles.txt") << "1 0 0 -3\n-1 0 0 -3\n0 1 0 -1\n0 -1 0 -1\n";
+  CHECK_EQUAL(quartic("sample sphere -s 3 -o sphere.off").status, 0);
+  check_failure("run sphere.off -o poles --singularities poles.txt --quads 500", 2, "order -3");
+  CHECK(fs::exists(folder / "poles" / "tmesh.json"));
 }
 
 void check_choice()

@@ -7,9 +7,11 @@
 
 #include "check.h"
 #include "exact_charts.h"
+#include "own_input.h"
 #include "run_pipeline.h"
 #include "test_surfaces.h"
 
+#include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/quad_mesh.h>
 #include <CGAL/Quartic_differentials/quantize.h>
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
@@ -35,15 +37,6 @@ using namespace Quartic_test;
 namespace {
 
 Visitor quiet;
-
-Point_3 position(const Intrinsic_triangulation& t, const Surface_point& p)
-{
-  Point_3 result(0, 0, 0);
-  const auto h = t.halfedges(p.face);
-  for (int k = 0; k < 3; ++k)
-    result = result + p.barycentric[k] * (t.mesh().point(t.source(h[k])) - CGAL::ORIGIN);
-  return result;
-}
 
 /// what holds for every result
 Mesh check_quad_mesh(const Quad_mesh& m, const T_mesh& t, const std::vector<int>& q)
@@ -85,16 +78,7 @@ Refined_surface embedded(Quartic_differential q, std::mt19937& random)
     mesh.point(v) = Point_3(x, y, z);
   }
   q.triangulation = Intrinsic_triangulation(std::move(mesh));
-  Refined_surface result;
-  result.differential = std::move(q);
-  const Intrinsic_triangulation& t = result.differential.triangulation;
-  result.input_corner.resize(t.number_of_halfedges());
-  for (Face f : t.faces()) {
-    result.input_face.push_back(f);
-    result.faces_in.push_back({f});
-    for (Halfedge h : t.halfedges(f)) result.input_corner[h][t.corner(h)] = 1;
-  }
-  return result;
+  return own_input(q);
 }
 
 /// a surface of squares without poles of order -3, each cut into subdivision^2
@@ -198,7 +182,7 @@ void check_sample(const std::string& name, Mesh input)
     const Mesh mesh = check_quad_mesh(m, t, q);
     double furthest = 0;
     for (std::size_t v = 0; v < m.points.size(); ++v)
-      furthest = std::max(furthest, CGAL::squared_distance(m.points[v], position(surface, m.input_points[v])));
+      furthest = std::max(furthest, CGAL::squared_distance(m.points[v], position_on_input(surface, m.input_points[v])));
     CHECK(std::sqrt(furthest) < 1e-12);
     const Scaled_jacobian jacobian = scaled_jacobian(m);
     CHECK(jacobian.least <= jacobian.mean && jacobian.mean <= 1);

@@ -312,6 +312,11 @@ void check_sample(const std::string& name, Mesh mesh)
   const Quantization q = quantize(t, options, quiet);
   check_quantization(t, q);
   CHECK_NEAR(double(q.target), 3000, 0.02 * 3000);
+  // a length that no quads can have: singularities are nearer to each other
+  options.edge_length *= 1000;
+  const Quantization huge = quantize(t, options, quiet);
+  check_quantization(t, huge);
+  CHECK(huge.shortfall.find("nearest to the edge length") != std::string::npos);
   // the methods that need no luck
   options = {};
   options.number_of_quads = 4000;

@@ -124,17 +124,10 @@ void check_pipeline(const char* name, Mesh mesh, std::size_t quads)
 Quad_mesh torus_quads(const Intrinsic_triangulation& input, int n, int m)
 {
   Quad_mesh result;
-  std::vector<Surface_point> at(input.number_of_vertices());
-  for (Face f : input.faces())
-    for (Halfedge h : input.halfedges(f)) {
-      Surface_point p{f, {}};
-      p.barycentric[input.corner(h)] = 1;
-      at[input.source(h)] = p;
-    }
   const auto vertex = [&](int i, int j) { return static_cast<std::size_t>((i % n) * m + j % m); };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j) {
-      result.input_points.push_back(at[(2 * i) * (2 * m) + 2 * j]);
+      result.input_points.push_back(at_vertex(input, Vertex(static_cast<Mesh::size_type>((2 * i) * (2 * m) + 2 * j))));
       result.points.push_back(position_on_input(input, result.input_points.back()));
       result.quads.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
       result.patch.push_back(0);

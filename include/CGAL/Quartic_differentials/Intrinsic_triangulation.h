@@ -141,6 +141,15 @@ private:
   bool                m_embedded = false;
 };
 
+/// the point at a vertex, in one of the faces round it
+inline Surface_point at_vertex(const Intrinsic_triangulation& t, Vertex v)
+{
+  const Halfedge h = t.halfedge_from(v);
+  Surface_point p{t.face(h)};
+  p.barycentric[t.corner(h)] = 1;
+  return p;
+}
+
 /// pi, in radians, in a number type
 template <class FT>
 FT half_turn()

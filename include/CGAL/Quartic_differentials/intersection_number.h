@@ -71,6 +71,17 @@ std::int64_t intersection_number(const Intrinsic_triangulation& t, const Closed_
 /// a class of the first homology group by its 2g coefficients in a canonical basis a_1 .. a_g, b_1 .. b_g
 using Homology_class = Eigen::Matrix<std::int64_t, Eigen::Dynamic, 1>;
 
+/// the coefficients of the class x on which the cochains dual to a canonical basis have the values a_i . x, b_i . x
+template <class Vector>
+Vector coefficients_of_class(const Vector& values)
+{
+  const Eigen::Index g = values.size() / 2;
+  Vector x(2 * g);
+  x.head(g) = -values.tail(g);
+  x.tail(g) = values.head(g);
+  return x;
+}
+
 /// the homology class of a curve. It is 0 if and only if the curve bounds.
 /// \param canonical the cochains dual to a canonical basis, on the triangulation of the curve: `cochains` of a
 ///        `Homology_basis`, or `cochains_of_loops()` where those rode along flips

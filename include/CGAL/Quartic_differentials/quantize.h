@@ -28,6 +28,9 @@ enum class Quantization_method
   even         ///< linear program with even bounds and breakpoints, which is integral: always succeeds
 };
 
+/// "optimal", "incumbent" or "even"
+const char* name(Quantization_method method);
+
 struct Quantization_options
 {
   std::size_t number_of_quads = 2000;        ///< the target

@@ -9,6 +9,7 @@
 #include <CGAL/Quartic_differentials/Refinement_cells.h>
 #include <CGAL/Quartic_differentials/Visitor.h>
 #include <CGAL/Quartic_differentials/coarse_surface.h>
+#include <CGAL/Quartic_differentials/divisor.h>
 #include <CGAL/Quartic_differentials/handle_tunnel_loops.h>
 #include <CGAL/Quartic_differentials/holomorphic_forms.h>
 #include <CGAL/Quartic_differentials/homology_basis.h>
@@ -49,6 +50,12 @@ struct Riemann_surface
 /// `handle_tunnel_basis()` and `handle_tunnel_loops()` if their basis is chosen.
 Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor,
                                 Homology_choice choice = Homology_choice::any);
+
+/// takes the places of a divisor from the faces of the input to those of `s.delaunay`.
+/// \pre `s` was made from an input, not from a coarsened surface
+Divisor on_delaunay(const Riemann_surface& s, Divisor divisor);
+/// the inverse of `on_delaunay()`, up to rounding
+Divisor on_input(const Riemann_surface& s, Divisor divisor);
 
 /// computes steps 2 and 3 on a coarsened surface: there are no loops, no refinement and no zeros.
 Riemann_surface riemann_surface(const Coarse_surface& coarse);

@@ -41,6 +41,8 @@ struct T_mesh
     int         order;    ///< the singularity's order, otherwise 0
     Face        face;     ///< a face that holds the node
     Grid_vector point;    ///< its place in the chart of that face
+
+    bool is_singularity() const { return kind == Node_kind::singularity; }
   };
   struct Arc
   {
@@ -63,6 +65,12 @@ struct T_mesh
   std::vector<Node>  nodes;
   std::vector<Arc>   arcs;
   std::vector<Patch> patches;
+
+  /// V - E + F = 2 - 2g
+  long euler_characteristic() const
+  {
+    return static_cast<long>(nodes.size()) - static_cast<long>(arcs.size()) + static_cast<long>(patches.size());
+  }
 };
 
 /// traces the critical trajectories of a quartic differential and returns the rectangles they cut.

@@ -51,6 +51,27 @@ std::size_t side_length(const std::vector<T_mesh::Side_piece>& side, const std::
   return sum;
 }
 
+Arc_points::Arc_points(const T_mesh& t, const std::vector<int>& q) : m_size(t.nodes.size())
+{
+  for (int length : q) {
+    m_first.push_back(m_size);
+    m_size += std::max(length - 1, 0);
+  }
+}
+
+Indices Arc_points::on(const std::vector<T_mesh::Side_piece>& side, const T_mesh& t, const std::vector<int>& q) const
+{
+  const auto end = [&](const T_mesh::Side_piece& s, bool last)
+  { return s.forward == last ? t.arcs[s.arc].to : t.arcs[s.arc].from; };
+  Indices result{end(side.front(), false)};
+  for (const T_mesh::Side_piece& piece : side) {
+    const std::size_t n = q[piece.arc];
+    for (std::size_t i = 1; i < n; ++i) result.push_back((*this)(piece.arc, piece.forward ? i : n - i));
+    if (n > 0) result.push_back(end(piece, true));   // otherwise it is the same point
+  }
+  return result;
+}
+
 // Makes the grids of the patches one after the other.
 struct Quad_grid::Glue
 {
@@ -64,15 +85,9 @@ struct Quad_grid::Glue
     grid.m_edge_class = edges.by_index();
   }
 
-  // numbers those on arcs, and counts
   std::size_t number_of_points()
   {
-    std::size_t n = t.nodes.size();
-    for (int length : q) {
-      grid.m_arc_points.push_back(n);
-      n += std::max(length - 1, 0);
-    }
-    next_point = n;
+    std::size_t n = next_point = grid.m_arc_points.size();
     for (const T_mesh::Patch& patch : t.patches)
       n += inner(side_length(patch.sides[0], q)) * inner(side_length(patch.sides[1], q));
     return n;
@@ -94,21 +109,6 @@ struct Quad_grid::Glue
 
   static std::size_t inner(std::size_t length) { return length > 0 ? length - 1 : 0; }
 
-  // from its first corner to its last
-  Indices points_on(const std::vector<T_mesh::Side_piece>& side) const
-  {
-    const auto start = [&](const T_mesh::Side_piece& s) { return s.forward ? t.arcs[s.arc].from : t.arcs[s.arc].to; };
-    const auto end = [&](const T_mesh::Side_piece& s) { return s.forward ? t.arcs[s.arc].to : t.arcs[s.arc].from; };
-    Indices result{start(side.front())};
-    for (const T_mesh::Side_piece& piece : side) {
-      const std::size_t n = q[piece.arc];
-      for (std::size_t i = 1; i < n; ++i)
-        result.push_back(grid.arc_point(piece.arc, piece.forward ? i : n - i));
-      if (n > 0) result.push_back(end(piece));   // otherwise it is the same point
-    }
-    return result;
-  }
-
   Indices edges_on(const std::vector<T_mesh::Side_piece>& side) const
   {
     Indices result;
@@ -122,7 +122,7 @@ struct Quad_grid::Glue
   {
     std::array<Indices, 4> point, edge;   // bottom, right, top, left: from left to right, and upwards
     for (int k = 0; k < 4; ++k) {
-      point[k] = points_on(t.patches[p].sides[k]);
+      point[k] = grid.m_arc_points.on(t.patches[p].sides[k], t, q);
       edge[k] = edges_on(t.patches[p].sides[k]);
       if (k < 2) continue;
       std::reverse(point[k].begin(), point[k].end());
@@ -178,7 +178,7 @@ struct Quad_grid::Glue
   Classes                 points, edges;
 };
 
-Quad_grid::Quad_grid(const T_mesh& t, const std::vector<int>& q)
+Quad_grid::Quad_grid(const T_mesh& t, const std::vector<int>& q) : m_arc_points(t, q)
 {
   Glue(*this, t, q);
 }
@@ -228,7 +228,7 @@ std::string Quad_grid::defect(const T_mesh& t) const
   std::vector<int> expected(m_point_class.size(), 4);
   std::vector<char> is_singular(m_point_class.size(), false);
   for (std::size_t n = 0; n < t.nodes.size(); ++n) {
-    if (t.nodes[n].kind != T_mesh::Node_kind::singularity) continue;
+    if (!t.nodes[n].is_singularity()) continue;
     if (is_singular[vertex(n)]) return "the singularity of node " + std::to_string(n) + " is at another one";
     is_singular[vertex(n)] = true;
     expected[vertex(n)] = t.nodes[n].order + 4;
@@ -237,9 +237,8 @@ std::string Quad_grid::defect(const T_mesh& t) const
     if (vertex(v) == v && valence[v] != expected[v])
       return "a vertex has " + std::to_string(valence[v]) + " quads, not " + std::to_string(expected[v]);
 
-  const auto chi = [](std::size_t v, std::size_t e, std::size_t f)
-  { return static_cast<long>(v) - static_cast<long>(e) + static_cast<long>(f); };
-  if (chi(vertices, 2 * m_quads.size(), m_quads.size()) != chi(t.nodes.size(), t.arcs.size(), t.patches.size()))
+  // every edge is on two quads: V - E + F = V - F
+  if (vertices - static_cast<long>(m_quads.size()) != t.euler_characteristic())
     return "the genus is not that of the T-mesh";
   return {};
 }

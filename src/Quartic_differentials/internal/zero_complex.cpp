@@ -23,12 +23,12 @@ const std::size_t none = static_cast<std::size_t>(-1);
 
 using Indices = std::vector<std::size_t>;
 
-bool is_singularity(const T_mesh::Node& node) { return node.kind == T_mesh::Node_kind::singularity; }
-
 // by arc: the patches on its right (used backward) and on its left (forward)
-std::vector<std::array<std::size_t, 2>> patches_at(const T_mesh& t)
+using Patches_at_arcs = std::vector<std::array<std::size_t, 2>>;
+
+Patches_at_arcs patches_at(const T_mesh& t)
 {
-  std::vector<std::array<std::size_t, 2>> result(t.arcs.size());
+  Patches_at_arcs result(t.arcs.size());
   for (std::size_t p = 0; p < t.patches.size(); ++p)
     for (const auto& side : t.patches[p].sides)
       for (const T_mesh::Side_piece& piece : side) result[piece.arc][piece.forward] = p;
@@ -36,8 +36,8 @@ std::vector<std::array<std::size_t, 2>> patches_at(const T_mesh& t)
 }
 
 // the patches that are reached from one without crossing arcs that are walls
-std::vector<char> reached_patches(const T_mesh& t, const std::vector<std::array<std::size_t, 2>>& at,
-                                  std::size_t first, const std::vector<char>& is_wall)
+std::vector<char> reached_patches(const T_mesh& t, const Patches_at_arcs& at, std::size_t first,
+                                  const std::vector<char>& is_wall)
 {
   std::vector<char> reached(t.patches.size(), false);
   Indices stack{first};
@@ -58,9 +58,8 @@ std::vector<char> reached_patches(const T_mesh& t, const std::vector<std::array<
 
 // Whether a simple loop of arcs could shrink in some other quantization: then everything on one side of it does, a disk
 // that with the loop itself holds at most one singularity.
-bool may_shrink(const T_mesh& t, const Indices& loop)
+bool may_shrink(const T_mesh& t, const Patches_at_arcs& at, const Indices& loop)
 {
-  const auto at = patches_at(t);
   std::vector<char> is_wall(t.arcs.size(), false), is_on_loop(t.nodes.size(), false);
   for (std::size_t a : loop) is_wall[a] = is_on_loop[t.arcs[a].from] = is_on_loop[t.arcs[a].to] = true;
   for (std::size_t side : at[loop.front()]) {
@@ -75,30 +74,26 @@ bool may_shrink(const T_mesh& t, const Indices& loop)
     }
     for (std::size_t n = 0; n < t.nodes.size(); ++n) {
       if (is_inside[n] && !is_on_loop[n]) ++chi;
-      if ((is_inside[n] || is_on_loop[n]) && is_singularity(t.nodes[n])) ++singularities;
+      if ((is_inside[n] || is_on_loop[n]) && t.nodes[n].is_singularity()) ++singularities;
     }
     if (chi == 1 && singularities <= 1) return true;
   }
   return false;
 }
 
-// X as a graph: its points are the nodes and the inner points of arcs, numbered as in Quad_grid.
+// X as a graph: its points are the `Arc_points`.
 class Zero_complex
 {
 public:
-  Zero_complex(const T_mesh& t, const std::vector<int>& q, bool with_chords) : m_t(t), m_q(q)
+  Zero_complex(const T_mesh& t, const std::vector<int>& q, bool with_chords)
+    : m_t(t), m_q(q), m_patches_at(patches_at(t)), m_points(t, q)
   {
-    std::size_t points = t.nodes.size();
-    for (int length : q) {
-      m_arc_points.push_back(points);
-      points += std::max(length - 1, 0);
-    }
     for (std::size_t a = 0; a < t.arcs.size(); ++a)
       if (q[a] == 0) m_edges.push_back({t.arcs[a].from, t.arcs[a].to, {a}, false, false});
     collapse_patches();
     if (with_chords)
       for (const T_mesh::Patch& patch : t.patches) add_chords(patch);
-    m_incident.resize(points);
+    m_incident.resize(m_points.size());
     for (std::size_t e = 0; e < m_edges.size(); ++e) {
       m_incident[m_edges[e].from].push_back(e);
       m_incident[m_edges[e].to].push_back(e);
@@ -139,7 +134,7 @@ private:
   // Patches of size 0 x 0 are collapsed one after the other, each from a side on which there is nothing (more).
   void collapse_patches()
   {
-    const auto at = patches_at(m_t);
+    const Patches_at_arcs& at = m_patches_at;
     Indices edge_of_arc(m_t.arcs.size(), none);
     for (std::size_t e = 0; e < m_edges.size(); ++e) edge_of_arc[m_edges[e].arcs.front()] = e;
     std::vector<char> is_full;   // and not collapsed yet
@@ -159,21 +154,6 @@ private:
     }
   }
 
-  // the points on a side, from left to right or upwards
-  Indices points_on(const T_mesh::Patch& patch, int k) const
-  {
-    Indices result;
-    for (const T_mesh::Side_piece& piece : patch.sides[k]) {
-      const T_mesh::Arc& arc = m_t.arcs[piece.arc];
-      const std::size_t n = m_q[piece.arc];
-      if (result.empty()) result.push_back(piece.forward ? arc.from : arc.to);
-      for (std::size_t i = 1; i < n; ++i) result.push_back(m_arc_points[piece.arc] + (piece.forward ? i : n - i) - 1);
-      if (n > 0) result.push_back(piece.forward ? arc.to : arc.from);
-    }
-    if (k >= 2) std::reverse(result.begin(), result.end());
-    return result;
-  }
-
   // across a patch of width or height 0, between inner points of its long sides
   void add_chords(const T_mesh::Patch& patch)
   {
@@ -181,8 +161,9 @@ private:
       if (side_length(patch.sides[k], m_q) > 0) continue;
       Indices arcs;
       for (const T_mesh::Side_piece& piece : patch.sides[k]) arcs.push_back(piece.arc);
-      const Indices first = points_on(patch, 1 - k), second = points_on(patch, 3 - k);
-      for (std::size_t i = 1; i + 1 < first.size(); ++i) m_edges.push_back({first[i], second[i], arcs, true, false});
+      const Indices first = m_points.on(patch.sides[1 - k], m_t, m_q), second = m_points.on(patch.sides[3 - k], m_t, m_q);
+      const std::size_t last = first.size() - 1;   // sides run round the patch: the other one the other way
+      for (std::size_t i = 1; i < last; ++i) m_edges.push_back({first[i], second[last - i], arcs, true, false});
     }
   }
 
@@ -224,7 +205,7 @@ private:
     Forest regions(m_incident.size());
     std::deque<std::size_t> singularities;
     for (std::size_t n = 0; n < m_t.nodes.size(); ++n) {
-      if (!is_singularity(m_t.nodes[n])) continue;
+      if (!m_t.nodes[n].is_singularity()) continue;
       regions.plant(n);
       singularities.push_back(n);
     }
@@ -255,7 +236,7 @@ private:
     for (std::size_t e = 0; e < m_edges.size(); ++e) {
       if (m_edges[e].is_collapsed || forest.up[m_edges[e].from] == e || forest.up[m_edges[e].to] == e) continue;
       Separating_cut cut = closed_through(e, forest);
-      cut.is_valid = cut.is_valid && !may_shrink(m_t, cut.arcs);
+      cut.is_valid = cut.is_valid && !may_shrink(m_t, m_patches_at, cut.arcs);
       result.push_back(std::move(cut));
     }
     return result;
@@ -263,9 +244,10 @@ private:
 
   const T_mesh&           m_t;
   const std::vector<int>& m_q;
-  Indices                 m_arc_points;   // by arc: its first inner point
+  Patches_at_arcs         m_patches_at;
+  Arc_points              m_points;
   std::vector<Graph_edge> m_edges;
-  std::vector<Indices>    m_incident;     // by point: edges
+  std::vector<Indices>    m_incident;   // by point: edges
 };
 
 } // namespace

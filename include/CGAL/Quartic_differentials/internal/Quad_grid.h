@@ -20,10 +20,27 @@ namespace internal {
 /// the sum of q over a side of a patch
 std::size_t side_length(const std::vector<T_mesh::Side_piece>& side, const std::vector<int>& q);
 
+/// The points that arcs are divided into: the nodes, then the inner points of one arc after the other.
+class Arc_points
+{
+public:
+  Arc_points(const T_mesh& t, const std::vector<int>& q);
+
+  std::size_t size() const { return m_size; }
+  /// inner point i (from 1) of an arc, in its direction
+  std::size_t operator()(std::size_t arc, std::size_t i) const { return m_first[arc] + i - 1; }
+  /// the points on a side, from its first corner to its last
+  std::vector<std::size_t> on(const std::vector<T_mesh::Side_piece>& side, const T_mesh& t,
+                              const std::vector<int>& q) const;
+
+private:
+  std::vector<std::size_t> m_first;   // by arc
+  std::size_t              m_size;
+};
+
 /// The regular grids of all patches, glued: points and edges of the grids, and which of them become one.
 ///
-/// Points are the nodes, then the inner points of arcs (in their direction), then the inner points of patches; edges
-/// are those on arcs, then those inside patches.
+/// Points are the `Arc_points`, then the inner points of patches; edges are those on arcs, then those inside patches.
 class Quad_grid
 {
 public:
@@ -43,7 +60,7 @@ public:
   /// the first point of those that become one vertex
   std::size_t vertex(std::size_t point) const { return m_point_class[point]; }
   /// inner point i (from 1) of an arc
-  std::size_t arc_point(std::size_t arc, std::size_t i) const { return m_arc_points[arc] + i - 1; }
+  std::size_t arc_point(std::size_t arc, std::size_t i) const { return m_arc_points(arc, i); }
 
   /// whether the quads make up the surface of the T-mesh with its singularities: a sentence, or empty
   std::string defect(const T_mesh& t) const;
@@ -59,7 +76,7 @@ private:
   std::vector<std::size_t> opposite_sides(std::string& violation) const;
 
   std::vector<Quad>        m_quads;
-  std::vector<std::size_t> m_arc_points;    // by arc: its first inner point
+  Arc_points               m_arc_points;
   std::vector<std::size_t> m_point_class;
   std::vector<std::size_t> m_edge_class;
   std::vector<std::size_t> m_edge_arc;      // by edge: the arc as part of which it gets longer
