@@ -2,19 +2,23 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Times quantization and quad meshes of surfaces at several numbers of quads. Prints a Markdown table a surface.
+// Times quantization and quad meshes of surfaces at several numbers of quads. Prints a Markdown table a surface, and
+// one of what the smoothed meshes are like.
 
 #include "measure.h"
 
 #include <CGAL/Quartic_differentials/IO/read_surface.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 #include <CGAL/Quartic_differentials/quad_mesh.h>
+#include <CGAL/Quartic_differentials/quad_quality.h>
 #include <CGAL/Quartic_differentials/quantize.h>
+#include <CGAL/Quartic_differentials/smooth_quads.h>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -23,7 +27,16 @@ using namespace CGAL::Quartic_differentials;
 
 namespace {
 
-void print_row(const T_mesh& t, const Refined_surface& refined, const Quantization_options& options)
+struct Smoothed
+{
+  std::string  mesh;
+  std::size_t  target, quads;
+  Quad_quality quality;
+  double       making, measuring;   // [seconds]: quantization, quad mesh and smoothing; quality
+};
+
+Smoothed print_row(const std::string& file, const Intrinsic_triangulation& input, const T_mesh& t,
+                   const Refined_surface& refined, const Quantization_options& options)
 {
   Visitor visitor;
   const Quantization q = quantize(t, options, visitor);
@@ -34,6 +47,27 @@ void print_row(const T_mesh& t, const Refined_surface& refined, const Quantizati
               q.number_of_quads, q.scales, q.solves, q.rounds, q.cuts,
               std::count(q.length.begin(), q.length.end(), 0), q.cost, name(q.method), q.optimal ? "yes" : "no",
               q.seconds, building, jacobian.least, jacobian.mean);
+  Smoothed result{std::filesystem::path(file).stem().string(), q.target, m.quads.size(), {}, 0, 0};
+  result.making = q.seconds + building + smooth_quads(input, {}, m).seconds;
+  result.measuring = seconds([&] { result.quality = quad_quality(input, m); });
+  return result;
+}
+
+void print_qualities(const std::vector<Smoothed>& meshes)
+{
+  std::printf("| mesh | asked | quads | irregular vertices | least Jacobian | mean | angles, degrees |"
+              " most edge ratio | to the input, max | rms | from the input, max | rms | made, s | measured, s |\n"
+              "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  for (const Smoothed& m : meshes) {
+    const Quad_quality& q = m.quality;
+    std::size_t irregular = 0;
+    for (const auto& [valence, number] : q.irregular_vertices) irregular += number;
+    std::printf("| %s | %zu | %zu | %zu | %.3f | %.3f | %.1f to %.1f | %.2f | %.2e | %.2e | %.2e | %.2e | %.2f |"
+                " %.2f |\n",
+                m.mesh.c_str(), m.target, m.quads, irregular, q.scaled_jacobian.least, q.scaled_jacobian.mean,
+                q.angle.least, q.angle.most, q.edge_ratio.most, q.to_input.most, q.to_input.rms, q.from_input.most,
+                q.from_input.rms, m.making, m.measuring);
+  }
 }
 
 } // namespace
@@ -49,11 +83,13 @@ int main(int argc, char** argv)
   app.add_option("--time-limit", options.time_limit, "Seconds for a quantization")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
+  std::vector<Smoothed> smoothed;
   for (const std::string& file : files) {
     Visitor visitor;
     Quartic_differential_result result;
     std::vector<std::string> notes;
-    quartic_differential(read_surface(file, notes), std::nullopt, {}, visitor, result);
+    const Intrinsic_triangulation input = read_surface(file, notes);
+    quartic_differential(input, std::nullopt, {}, visitor, result);
     if (!result.refined) {
       std::cerr << file << ": the surface is not embedded\n";
       continue;
@@ -65,8 +101,9 @@ int main(int argc, char** argv)
                 "|--:|--:|--:|--:|--:|--:|--:|--:|---|---|--:|--:|--:|--:|\n");
     for (std::size_t target : targets) {
       options.number_of_quads = target;
-      print_row(*result.t_mesh, *result.refined, options);
+      smoothed.push_back(print_row(file, input, *result.t_mesh, *result.refined, options));
     }
     std::printf("\n");
   }
+  print_qualities(smoothed);
 }

@@ -5,6 +5,7 @@
 #ifndef CGAL_DISCRETE_RIEMANN_SURFACE_H
 #define CGAL_DISCRETE_RIEMANN_SURFACE_H
 
+#include <CGAL/Quartic_differentials/Mesh_divisor.h>
 #include <CGAL/Quartic_differentials/copy_mesh.h>
 #include <CGAL/Quartic_differentials/handle_tunnel_loops.h>
 #include <CGAL/Quartic_differentials/jacobian_point.h>
@@ -12,13 +13,10 @@
 #include <CGAL/Quartic_differentials/riemann_surface.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Polygon_mesh_processing/locate.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -32,18 +30,6 @@ namespace Quartic_differentials {
 // `face_index_map`. An application that needs several of them makes one `Discrete_riemann_surface`, which has them as
 // members.
 
-/// A point of a mesh with its order in a divisor: positive for zeros, negative for poles.
-template <class TriangleMesh>
-struct Mesh_singularity
-{
-  Polygon_mesh_processing::Face_location<TriangleMesh, double> location;
-  int  order  = 0;
-  bool pinned = false;   ///< may not be moved
-};
-
-template <class TriangleMesh>
-using Mesh_divisor = std::vector<Mesh_singularity<TriangleMesh>>;
-
 /// A canonical basis of the homology: closed walks of halfedges, each ending where the next begins.
 template <class TriangleMesh>
 struct Canonical_homology_basis
@@ -55,49 +41,6 @@ struct Canonical_homology_basis
 };
 
 namespace internal {
-
-/// which halfedge and which face of the copy is which of the mesh
-template <class TriangleMesh>
-class Mesh_correspondence
-{
-public:
-  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using face_descriptor     = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-
-  template <class NamedParameters>
-  Mesh_correspondence(const TriangleMesh& mesh, const Intrinsic_triangulation& copy, const NamedParameters& np)
-    : m_copied_halfedge(num_halfedges(mesh)), m_copied_face(num_faces(mesh)), m_halfedge(copy.number_of_halfedges())
-  {
-    const auto halfedge_index = CGAL::get_initialized_halfedge_index_map(mesh, np);
-    const auto face_index = CGAL::get_initialized_face_index_map(mesh, np);
-    m_halfedge_index = [halfedge_index](halfedge_descriptor h) { return get(halfedge_index, h); };
-    m_face_index = [face_index](face_descriptor f) { return get(face_index, f); };
-    for (auto f : faces(mesh)) {
-      const Face copied(static_cast<Mesh::size_type>(m_face.size()));
-      m_face.push_back(f);
-      m_copied_face[get(face_index, f)] = copied;
-      const auto there = halfedges_of(f, mesh);
-      const auto here = copy.halfedges(copied);
-      for (int k = 0; k < 3; ++k) {
-        m_copied_halfedge[get(halfedge_index, there[k])] = here[k];
-        m_halfedge[here[k]] = there[k];
-      }
-    }
-  }
-
-  Halfedge copied(halfedge_descriptor h) const { return m_copied_halfedge[m_halfedge_index(h)]; }
-  Face     copied(face_descriptor f)     const { return m_copied_face[m_face_index(f)]; }
-  halfedge_descriptor original(Halfedge h) const { return m_halfedge[h]; }
-  face_descriptor     original(Face f)     const { return m_face[f]; }
-
-private:
-  std::vector<Halfedge>                           m_copied_halfedge;   // by index in the mesh
-  std::vector<Face>                               m_copied_face;       // by index in the mesh
-  std::vector<halfedge_descriptor>                m_halfedge;
-  std::vector<face_descriptor>                    m_face;
-  std::function<std::size_t(halfedge_descriptor)> m_halfedge_index;
-  std::function<std::size_t(face_descriptor)>     m_face_index;
-};
 
 template <class TriangleMesh>
 Canonical_homology_basis<TriangleMesh> on_mesh(const Handle_tunnel_loops& found,
@@ -174,7 +117,7 @@ public:
 
   /// see `jacobian_point()`
   Jacobian_point abel_jacobi_map(const Mesh_divisor<TriangleMesh>& divisor) const
-  { return jacobian_point(steps(), copied(divisor)); }
+  { return jacobian_point(steps(), m_data->correspondence.copied(divisor)); }
 
   /// see `legalize_divisor()`
   Mesh_divisor<TriangleMesh> legalize_divisor(const Mesh_divisor<TriangleMesh>& divisor,
@@ -182,10 +125,10 @@ public:
   {
     const Riemann_surface& s = steps();
     const Abel_jacobi_map map(s.delaunay, s.homology.cochains, s.forms);
+    const Divisor start = on_delaunay(s, m_data->correspondence.copied(divisor));
     Visitor visitor;
-    const Legal_divisor legal = Quartic_differentials::legalize_divisor(map, s.periods, on_delaunay(s, copied(divisor)),
-                                                                        options, visitor);
-    return on_mesh(on_input(s, legal.divisor));
+    const Legal_divisor legal = Quartic_differentials::legalize_divisor(map, s.periods, start, options, visitor);
+    return m_data->correspondence.original(on_input(s, legal.divisor));
   }
 
 private:
@@ -208,22 +151,6 @@ private:
     Riemann_surface                             surface;
     Eigen::MatrixXcd                            normalisation;
   };
-
-  Divisor copied(const Mesh_divisor<TriangleMesh>& divisor) const
-  {
-    Divisor result;
-    for (const Mesh_singularity<TriangleMesh>& s : divisor)
-      result.push_back({{m_data->correspondence.copied(s.location.first), s.location.second}, s.order, s.pinned});
-    return result;
-  }
-
-  Mesh_divisor<TriangleMesh> on_mesh(const Divisor& divisor) const
-  {
-    Mesh_divisor<TriangleMesh> result;
-    for (const Singularity& s : divisor)
-      result.push_back({{m_data->correspondence.original(s.location.face), s.location.barycentric}, s.order, s.pinned});
-    return result;
-  }
 
   std::shared_ptr<const Data> m_data;
 };

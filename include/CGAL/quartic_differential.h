@@ -7,13 +7,16 @@
 
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
+#include <CGAL/Quartic_differentials/Mesh_divisor.h>
 #include <CGAL/Quartic_differentials/copy_mesh.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/parameters.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <optional>
+#include <type_traits>
 
 namespace CGAL {
 
@@ -22,31 +25,47 @@ namespace CGAL {
 namespace Quartic_differentials {
 
 /// computes the meromorphic quartic differential of a closed triangle mesh: singularities that satisfy the Abel-Jacobi
-/// condition, the flat cone metric they span, its charts with exact transitions, and the T-mesh of rectangles.
+/// condition, the flat cone metric they span, its charts with exact transitions, and the T-mesh of rectangles; quads and
+/// splines too if `options.quads` says how.
 ///
-/// \param mesh a closed connected triangle mesh of any genus
+/// \param mesh a closed connected triangle mesh of any genus, a model of `FaceListGraph`
 /// \param options how the singularities are chosen, and the tolerances of the steps
 /// \param visitor reports progress and can stop the run
-/// \param np see `intrinsic_triangulation()`
+/// \param result is filled step by step, so that it holds what was computed even if a later step throws
+/// \param np see `intrinsic_triangulation()`, and
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{singularities}
+///     \cgalParamDescription{the divisor to start from, of `Quartic_differentials::parameters`}
+///     \cgalParamType{`Mesh_divisor<TriangleMesh>`}
+///     \cgalParamDefault{none: the singularities are chosen}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \throws Unusable_surface_error, Infeasible_divisor_error, Numerical_error, Cancelled_error with a sentence that says why
 /// Complexity: a few sparse factorisations; the rest is O(n log n).
 /// Source: METHOD; paper, section 4.
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Quartic_differential_result quartic_differential(const TriangleMesh& mesh, const Quartic_differential_options& options,
-                                                 Visitor& visitor,
-                                                 const NamedParameters& np = CGAL::parameters::default_values())
+void quartic_differential(const TriangleMesh& mesh, const Quartic_differential_options& options, Visitor& visitor,
+                          Quartic_differential_result& result,
+                          const NamedParameters& np = CGAL::parameters::default_values())
 {
-  Quartic_differential_result result;
-  quartic_differential(intrinsic_triangulation(mesh, np), std::nullopt, options, visitor, result);
-  return result;
+  const Intrinsic_triangulation copy = intrinsic_triangulation(mesh, np);
+  std::optional<Divisor> start;
+  const auto given = CGAL::parameters::get_parameter(np, parameters::singularities_t());
+  if constexpr (!std::is_same<std::decay_t<decltype(given)>, internal_np::Param_not_found>::value)
+    start = internal::Mesh_correspondence<TriangleMesh>(mesh, copy, np).copied(given);
+  quartic_differential(copy, start, options, visitor, result);
 }
 
-/// \overload with default options and without progress
-template <class TriangleMesh>
-Quartic_differential_result quartic_differential(const TriangleMesh& mesh)
+/// \overload for those who want all or nothing
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Quartic_differential_result quartic_differential(const TriangleMesh& mesh,
+                                                 const Quartic_differential_options& options = {},
+                                                 const NamedParameters& np = CGAL::parameters::default_values())
 {
   Visitor visitor;
-  return quartic_differential(mesh, Quartic_differential_options(), visitor);
+  Quartic_differential_result result;
+  quartic_differential(mesh, options, visitor, result, np);
+  return result;
 }
 
 } // namespace Quartic_differentials

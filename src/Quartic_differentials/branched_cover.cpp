@@ -21,8 +21,6 @@ namespace {
 
 const double pi = CGAL_PI;
 
-using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
-
 const double grading = 3;              // ring i of n has the radius R (i/n)^grading
 const double least_distance = 1e-3;    // of two given points
 

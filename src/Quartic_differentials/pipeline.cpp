@@ -7,6 +7,7 @@
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/initial_divisor.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
+#include <CGAL/Quartic_differentials/internal/require_embedded.h>
 #include <CGAL/Quartic_differentials/internal/scientific.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
@@ -167,6 +168,7 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
                           const Quartic_differential_options& options, Visitor& user_visitor,
                           Quartic_differential_result& result)
 {
+  if (options.quads) internal::require_embedded(input, "quads");
   internal::Timing_visitor visitor(user_visitor, result.timings);
   result.surface = riemann_surface(input, visitor, options.homology);
   const Riemann_surface& s = *result.surface;
@@ -205,6 +207,12 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
   if (!result.singularities.empty()) {
     const Timed_step step(visitor, "t_mesh");
     result.t_mesh = t_mesh(result.traced(), visitor);
+  }
+  if (options.quads) {
+    const Timed_step step(visitor, "quad_mesh");
+    if (!result.t_mesh)
+      throw Infeasible_divisor_error("there is no singularity, hence no T-mesh that could be cut into quads");
+    result.quads = quads(input, *result.t_mesh, *result.refined, *options.quads, visitor);
   }
 }
 

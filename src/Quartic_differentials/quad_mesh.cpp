@@ -221,30 +221,40 @@ std::string defect(const Quad_mesh& m, const T_mesh& t)
   return {};
 }
 
+std::vector<int> singularity_orders(const Quad_mesh& m, const T_mesh& t)
+{
+  std::vector<int> order(m.points.size(), 0);
+  std::size_t s = 0;
+  for (const T_mesh::Node& node : t.nodes)
+    if (node.is_singularity()) order[m.singularities[s++]] = node.order;
+  return order;
+}
+
 Mesh surface_mesh(const Quad_mesh& m, const T_mesh& t)
 {
   Mesh mesh;
   auto patch = mesh.add_property_map<Face, std::size_t>("f:patch").first;
   auto place = mesh.add_property_map<Vertex, Surface_point>("v:input_point").first;
   auto order = mesh.add_property_map<Vertex, int>("v:singularity_order", 0).first;
+  const std::vector<int> orders = singularity_orders(m, t);
   const auto vertex = [](std::size_t v) { return Vertex(static_cast<Mesh::size_type>(v)); };
-  for (std::size_t v = 0; v < m.points.size(); ++v) place[mesh.add_vertex(m.points[v])] = m.input_points[v];
+  for (std::size_t v = 0; v < m.points.size(); ++v) {
+    const Vertex added = mesh.add_vertex(m.points[v]);
+    place[added] = m.input_points[v];
+    order[added] = orders[v];
+  }
   for (std::size_t f = 0; f < m.quads.size(); ++f) {
     const auto& [a, b, c, d] = m.quads[f];
     patch[mesh.add_face(vertex(a), vertex(b), vertex(c), vertex(d))] = m.patch[f];
   }
-  std::size_t s = 0;
-  for (const T_mesh::Node& node : t.nodes)
-    if (node.is_singularity()) order[vertex(m.singularities[s++])] = node.order;
   return mesh;
 }
 
 Scaled_jacobian scaled_jacobian(const Quad_mesh& m)
 {
   Scaled_jacobian result{std::numeric_limits<double>::infinity(), 0};
-  for (const auto& quad : m.quads) {
-    const internal::Quad_shape shape({m.points[quad[0]], m.points[quad[1]], m.points[quad[2]], m.points[quad[3]]});
-    const double least = *std::min_element(shape.sine.begin(), shape.sine.end());
+  for (std::size_t f = 0; f < m.quads.size(); ++f) {
+    const double least = internal::Quad_shape(m.corners(f)).scaled_jacobian();
     result.least = std::min(result.least, least);
     result.mean += least / double(m.quads.size());
   }

@@ -73,7 +73,7 @@ class Quantizer
 {
 public:
   Quantizer(const T_mesh& t, const Quantization_options& options, Visitor& visitor)
-    : m_t(t), m_options(options), m_visitor(visitor) {}
+    : m_t(t), m_options(options), m_visitor(visitor), m_block_size(block_size()) {}
 
   Quantization run()
   {
@@ -88,6 +88,21 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  double scale_for_edge_length() const
+  { return std::ldexp(m_options.surface_units_per_unit / m_options.edge_length, -m_t.grid_exponent); }
+
+  double target() const
+  {
+    if (m_options.edge_length > 0) return std::round(squared(scale_for_edge_length()) * area(m_t));
+    return double(m_options.number_of_quads);
+  }
+
+  int block_size() const
+  {
+    if (m_options.number_of_blocks == 0) return 1;
+    return std::max(1, static_cast<int>(std::lround(std::sqrt(target() / double(m_options.number_of_blocks)))));
+  }
+
   bool is_used_up() const { return m_nodes_left == 0 || seconds() >= m_options.time_limit; }
 
   double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
@@ -97,9 +112,8 @@ private:
 
   Quantization for_edge_length()
   {
-    const double scale = std::ldexp(m_options.surface_units_per_unit / m_options.edge_length, -m_t.grid_exponent);
-    Quantization result = at_scale(scale);
-    result.target = static_cast<std::size_t>(std::llround(squared(scale) * area(m_t)));
+    Quantization result = at_scale(scale_for_edge_length());
+    result.target = static_cast<std::size_t>(target());
     if (!is_near(double(result.number_of_quads), double(result.target), promised_tolerance))
       result.shortfall = "where singularities stay apart and patches are rectangles, the lengths nearest to the edge"
                          " length make " + std::to_string(result.number_of_quads) + " quads";
@@ -111,7 +125,7 @@ private:
 
   Quantization for_number_of_quads()
   {
-    const double target = double(m_options.number_of_quads);
+    const double target = this->target();
     std::optional<Sample> below, above;   // the target
     Quantization best;
     double scale = std::sqrt(target / area(m_t));
@@ -144,12 +158,12 @@ private:
     return "none of the " + std::to_string(m_scales) + " scales that were tried gave a nearer number";
   }
 
-  // the first method that succeeds in its share of the time
+  // the first method that succeeds in its share of the time; lengths are in blocks until the end
   Quantization at_scale(double scale)
   {
     ++m_scales;
     std::vector<double> x;
-    for (const T_mesh::Arc& arc : m_t.arcs) x.push_back(scale * static_cast<double>(arc.length));
+    for (const T_mesh::Arc& arc : m_t.arcs) x.push_back(scale * static_cast<double>(arc.length) / m_block_size);
     std::optional<Quantization> result;
     if (m_options.method == Quantization_method::optimal)
       result = attempt(Quantization_method::optimal, x);
@@ -221,7 +235,17 @@ private:
     for (std::size_t a = 0; a < x.size(); ++a) result.cost += squared(result.length[a] - x[a]);
     const double rounding = 1e-6 * (1 + result.cost);
     result.optimal = result.cost <= result.lower_bound + rounding;
-    result.number_of_quads = grid.quads().size();
+    return in_quads(std::move(result), grid.quads().size());
+  }
+
+  Quantization in_quads(Quantization result, std::size_t number_of_blocks) const
+  {
+    const int k = m_block_size;
+    result.block_size = k;
+    result.number_of_quads = number_of_blocks * static_cast<std::size_t>(k * k);
+    result.cost *= k * k;
+    result.lower_bound *= k * k;
+    for (int& q : result.length) q *= k;
     return result;
   }
 
@@ -230,6 +254,7 @@ private:
   const T_mesh&               m_t;
   const Quantization_options& m_options;
   Visitor&                    m_visitor;
+  const int                   m_block_size;
   const Clock::time_point     m_start = Clock::now();
   std::size_t                 m_nodes_left = m_options.node_limit;
   std::size_t                 m_rounds = 0, m_solves = 0, m_scales = 0;

@@ -4,8 +4,7 @@
 
 #include <CGAL/Quartic_differentials/smooth_quads.h>
 
-#include <CGAL/Quartic_differentials/Common_refinement.h>
-#include <CGAL/Quartic_differentials/internal/Nearest_point.h>
+#include <CGAL/Quartic_differentials/internal/Input_surface.h>
 #include <CGAL/Quartic_differentials/internal/Quad_shape.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
 
@@ -21,50 +20,12 @@ namespace Quartic_differentials {
 
 namespace {
 
+using internal::Input_surface;
 using internal::length;
 using internal::unit;
-using Vector = internal::Vector_3;
+using Place = Input_surface::Place;
 
 const double infinity = std::numeric_limits<double>::infinity();
-
-// A point of the input, with the surface's normal there: faces' normals, averaged at vertices and linear between.
-struct Place
-{
-  Surface_point at;
-  Point_3       point;
-  Vector        normal;
-};
-
-class Input_surface
-{
-public:
-  explicit Input_surface(const Intrinsic_triangulation& t)
-    : m_t(t), m_normal(t.number_of_vertices(), Vector(0, 0, 0)), m_nearest(t)
-  {
-    for (Face f : t.faces()) {
-      const auto h = t.halfedges(f);
-      const auto at = [&](int k) { return t.mesh().point(t.source(h[k])); };
-      const Vector n = CGAL::cross_product(at(1) - at(0), at(2) - at(0));
-      for (Halfedge k : h) m_normal[t.source(k)] += n;
-    }
-    for (Vector& n : m_normal) n = unit(n);
-  }
-
-  Place place(const Surface_point& at) const
-  {
-    Vector normal(0, 0, 0);
-    const auto h = m_t.halfedges(at.face);
-    for (int k = 0; k < 3; ++k) normal += at.barycentric[k] * m_normal[m_t.source(h[k])];
-    return {at, position_on_input(m_t, at), unit(normal)};
-  }
-
-  Place nearest(const Point_3& p, const Place& near) const { return place(m_nearest(p, near.point, near.at.face)); }
-
-private:
-  const Intrinsic_triangulation& m_t;
-  std::vector<Vector>            m_normal;   // by vertex
-  internal::Nearest_point        m_nearest;
-};
 
 // How good quads are.
 struct Quality
@@ -143,7 +104,7 @@ private:
   Quality quality(std::size_t f, std::size_t v, const Place& place) const
   {
     std::array<Point_3, 4> p;
-    Vector outward(0, 0, 0);
+    Vector_3 outward(0, 0, 0);
     for (int k = 0; k < 4; ++k) {
       const std::size_t w = m_mesh.quads[f][k];
       const Place& at = w == v ? place : m_place[w];
@@ -189,7 +150,7 @@ private:
 
   // moves v by a step in its tangent plane, if that is better, and not through a thin part to its other side; most
   // steps are refused before the nearest point is looked for
-  bool try_step(std::size_t v, const Vector& step, Quality& now)
+  bool try_step(std::size_t v, const Vector_3& step, Quality& now)
   {
     Place place = m_place[v];
     place.point = place.point + step;
@@ -204,10 +165,10 @@ private:
   }
 
   // goes all the way, half of it, or a quarter
-  bool try_target(std::size_t v, const Vector& to, Quality& now)
+  bool try_target(std::size_t v, const Vector_3& to, Quality& now)
   {
-    const Vector n = m_place[v].normal;
-    Vector step = to - CGAL::scalar_product(to, n) * n;
+    const Vector_3 n = m_place[v].normal;
+    Vector_3 step = to - CGAL::scalar_product(to, n) * n;
     for (int k = 0; k < 3; ++k, step = step / 2)
       if (try_step(v, step, now)) return true;
     return false;
@@ -217,10 +178,10 @@ private:
   bool improve(std::size_t v)
   {
     Quality now = around(v, m_place[v]);
-    Vector completion(0, 0, 0), middle(0, 0, 0);
+    Vector_3 completion(0, 0, 0), middle(0, 0, 0);
     const double quads = double(m_first[v + 1] - m_first[v]);
     for (std::size_t c = m_first[v]; c < m_first[v + 1]; ++c) {
-      const Vector next = at_corner(c, 1) - m_place[v].point, across = at_corner(c, 2) - m_place[v].point,
+      const Vector_3 next = at_corner(c, 1) - m_place[v].point, across = at_corner(c, 2) - m_place[v].point,
                    previous = at_corner(c, 3) - m_place[v].point;
       completion += (next + previous - across) / quads;
       middle += next / quads;
@@ -231,9 +192,9 @@ private:
   // tries all directions; the step grows and shrinks with success
   bool search(std::size_t v, Quality& now)
   {
-    const Vector n = m_place[v].normal;
-    const Vector x = unit(std::abs(n.x()) < 0.6 ? Vector(0, n.z(), -n.y()) : Vector(-n.z(), 0, n.x()));
-    const Vector y = CGAL::cross_product(n, x);
+    const Vector_3 n = m_place[v].normal;
+    const Vector_3 x = unit(std::abs(n.x()) < 0.6 ? Vector_3(0, n.z(), -n.y()) : Vector_3(-n.z(), 0, n.x()));
+    const Vector_3 y = CGAL::cross_product(n, x);
     const double most = longest_step(v);
     m_step[v] = std::min(m_step[v], most);
     for (int k = 0; k < directions; ++k) {

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <iostream>
+#include <string>
 
 namespace QD = CGAL::Quartic_differentials;
 
@@ -20,6 +21,23 @@ int failed(const std::exception& e, Exit_status status)
 {
   std::cerr << "quartic: " << e.what() << std::endl;
   return status;
+}
+
+// what is typed into a POSIX shell to get this argument
+std::string quoted(const std::string& argument)
+{
+  const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+  if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) return argument;
+  std::string text = "'";
+  for (char c : argument) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
+std::string command_line(int argc, char** argv)
+{
+  std::string text = "quartic";
+  for (int i = 1; i < argc; ++i) text += ' ' + quoted(argv[i]);
+  return text;
 }
 
 } // namespace
@@ -38,10 +56,11 @@ int main(int argc, char** argv)
   app.footer("'quartic COMMAND --help' explains a command.\n"
              "Exit status: 0 done; 1 wrong usage; 2 the input or the singularities cannot be used;\n"
              "3 a computation did not reach its tolerance.");
-  add_run(app);
+  add_run(app, command_line(argc, argv));
   add_info(app);
   add_sample(app);
   add_verify(app);
+  add_render(app);
 
   try {
     app.parse(argc, argv);

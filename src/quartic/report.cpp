@@ -4,6 +4,8 @@
 
 #include "report.h"
 
+#include "distortion.h"
+
 #include <CGAL/Quartic_differentials/Area_distortion.h>
 #include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/laplacian.h>
@@ -210,66 +212,59 @@ Json t_mesh_report(const T_mesh& t)
           {"meetings", count[T_mesh::Node_kind::meeting]}};
 }
 
-// sigma_1 / sigma_2 of the map of a triangle to the plane, given both sets of lengths
-double conformal_distortion(const std::array<double, 3>& l, const std::array<double, 3>& flat)
-{
-  // x = (sigma_1^2 + sigma_2^2) / (2 sigma_1 sigma_2) = Sum_k cot_k flat_k^2 / (4 flat area), cot_k = (b^2+c^2-a^2) / (4 area)
-  double energy = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double a = l[k], b = l[(k + 1) % 3], c = l[(k + 2) % 3];
-    energy += (b * b + c * c - a * a) * flat[k] * flat[k];
-  }
-  const double x = std::max(1.0, energy / (four_times_area(l[0], l[1], l[2]) * four_times_area(flat[0], flat[1], flat[2])));
-  return x + std::sqrt(x * x - 1);
-}
-
-// sigma_1 / sigma_2 of the map of every triangle of the subdivided input to the plane
+// over the triangles of the subdivided input
 Json conformal_report(const Quartic_differential& q)
 {
-  const Intrinsic_triangulation& t = q.triangulation;
-  Eigen::VectorXd distortion(t.number_of_faces()), area(t.number_of_faces());
-  for (Face f : t.faces()) {
-    const auto h = t.halfedges(f);
-    std::array<double, 3> l, flat;
-    for (int k = 0; k < 3; ++k) {
-      const Grid_vector d = q.corner[h[(k + 1) % 3]] - q.corner[h[k]];
-      l[k] = t.length(h[k]);
-      flat[k] = std::hypot(static_cast<double>(d.x), static_cast<double>(d.y));
-    }
-    distortion[f.idx()] = conformal_distortion(l, flat);
-    area[f.idx()] = four_times_area(l[0], l[1], l[2]) / 4;
-  }
-  return {{"mean", distortion.dot(area) / area.sum()}, {"95_percent", weighted_quantile(distortion, area, 0.95)},
-          {"max", distortion.maxCoeff()},
-          {"share_of_area_above_10", (distortion.array() > 10).select(area.array(), 0).sum() / area.sum()}};
+  const Area_samples d = conformal_distortion(q);
+  return {{"mean", d.mean()}, {"95_percent", weighted_quantile(d.value, d.area, 0.95)}, {"max", d.value.maxCoeff()},
+          {"share_of_area_above_10", (d.value.array() > 10).select(d.area.array(), 0).sum() / d.area.sum()}};
 }
 
 // Area scale e^2u over the input's vertices; conformal distortion where there are positions in space.
 Json quality_report(const Run_facts& facts, const Quartic_differential_result& r)
 {
-  const std::vector<double> areas = vertex_areas(*facts.input);
-  const Eigen::VectorXd mass = Eigen::Map<const Eigen::VectorXd>(areas.data(), areas.size());
-  const Eigen::VectorXd u = Eigen::Map<const Eigen::VectorXd>(r.metric->metric.u.data(), mass.size());   // the cones follow
-  const double mean_u = u.dot(mass) / mass.sum();
-  Json quality = {{"area_scale_99_to_1_percent", area_scale_ratio(u, mass)},
-                  {"area_distortion", (u.array() - mean_u).square().matrix().dot(mass) / mass.sum()}};
+  const Area_samples u = log_scale(*facts.input, r.metric->metric.u);
+  Json quality = {{"area_scale_99_to_1_percent", area_scale_ratio(u.value, u.area)},
+                  {"area_distortion", (u.value.array() - u.mean()).square().matrix().dot(u.area) / u.area.sum()}};
   if (r.refined) quality["conformal_distortion"] = conformal_report(r.refined->differential);
   return quality;
+}
+
+Json distance_report(const Surface_distance& d) { return {{"max", d.most}, {"rms", d.rms}}; }
+
+Json splines_report(const Quads& quads)
+{
+  const Multipatch_quality& q = *quads.splines_quality;
+  return {{"patches", quads.splines->patches.size()}, {"interfaces", quads.splines->interfaces.size()}, {"degree", 3},
+          {"spans_by_patch_side", quads.quantization.block_size},
+          {"distance_by_diagonal", distance_report(q.distance)},
+          {"sine_of_angle", {{"min", q.least_sine}, {"mean", q.mean_sine}}}};
 }
 
 Json quads_report(const Quads& quads)
 {
   const Quantization& q = quads.quantization;
-  const Scaled_jacobian jacobian = scaled_jacobian(quads.mesh);
+  const Quad_quality& quality = quads.quality;
+  Json irregular = Json::object();
+  for (const auto& [valence, number] : quality.irregular_vertices) irregular[std::to_string(valence)] = number;
   Json report = {{"target", q.target}, {"quads", quads.mesh.quads.size()}, {"vertices", quads.mesh.points.size()},
-                 {"scaled_jacobian", {{"min", jacobian.least}, {"mean", jacobian.mean}}},
+                 {"patches", quality.patches}, {"irregular_vertices", irregular},
+                 {"scaled_jacobian", {{"min", quality.scaled_jacobian.least}, {"mean", quality.scaled_jacobian.mean}}},
+                 {"angle_degrees", {{"min", quality.angle.least}, {"max", quality.angle.most},
+                                    {"mean_deviation_from_90", quality.angle_deviation}}},
+                 {"edge_ratio", {{"mean", quality.edge_ratio.mean}, {"max", quality.edge_ratio.most}}},
+                 {"edge_length", {{"min", quality.edge_length.least}, {"mean", quality.edge_length.mean},
+                                  {"max", quality.edge_length.most}}},
+                 {"distance_by_diagonal", {{"quads_to_input", distance_report(quality.to_input)},
+                                           {"input_vertices_to_quads", distance_report(quality.from_input)}}},
                  {"quantization", {{"method", name(q.method)}, {"optimal", q.optimal}, {"cost", q.cost},
-                                   {"lower_bound", q.lower_bound}, {"scale", q.scale}, {"cuts", q.cuts},
-                                   {"programs_solved", q.solves}, {"seconds", q.seconds}}}};
+                                   {"lower_bound", q.lower_bound}, {"scale", q.scale}, {"block_size", q.block_size},
+                                   {"cuts", q.cuts}, {"programs_solved", q.solves}, {"seconds", q.seconds}}}};
   if (!q.shortfall.empty()) report["shortfall"] = q.shortfall;
   if (const Smoothing_report& s = quads.smoothing; !s.history.empty())
     report["smoothing"] = {{"sweeps", s.history.size() - 1}, {"seconds", s.seconds},
                            {"before", {{"min", s.history.front().least}, {"mean", s.history.front().mean}}}};
+  if (quads.splines) report["splines"] = splines_report(quads);
   return report;
 }
 
@@ -311,7 +306,7 @@ Json surface_report(const Run_facts& facts, const Riemann_surface* s)
   return report;
 }
 
-Json run_report(const Run_facts& facts, const Quartic_differential_result& r, const std::optional<Quads>& quads)
+Json run_report(const Run_facts& facts, const Quartic_differential_result& r)
 {
   Json report = {{"status", facts.failure.empty() ? "done" : "failed"}};
   if (!facts.failure.empty()) report["failure"] = facts.failure;
@@ -345,7 +340,7 @@ Json run_report(const Run_facts& facts, const Quartic_differential_result& r, co
                             {"max_curvature_error", r.refined_metric->precision.max_curvature_error}};
   }
   if (r.t_mesh) report["tmesh"] = t_mesh_report(*r.t_mesh);
-  if (quads) report["quad_mesh"] = quads_report(*quads);
+  if (r.quads) report["quad_mesh"] = quads_report(*r.quads);
 
   report["timings"] = timings_report(facts, r);
   report["peak_memory_bytes"] = peak_memory_bytes();

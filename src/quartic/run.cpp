@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands.h"
+#include "page.h"
+#include "page_model.h"
 #include "progress.h"
 #include "report.h"
 
@@ -10,9 +12,12 @@
 #include <CGAL/Quartic_differentials/IO/singularities.h>
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
 #include <CGAL/Quartic_differentials/IO/write_loops.h>
+#include <CGAL/Quartic_differentials/IO/write_multipatch.h>
 #include <CGAL/Quartic_differentials/IO/write_pareto.h>
+#include <CGAL/Quartic_differentials/IO/write_picture.h>
 #include <CGAL/Quartic_differentials/IO/write_quads.h>
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
+#include <CGAL/Quartic_differentials/IO/write_t_spline.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
@@ -25,6 +30,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 
 using namespace CGAL::Quartic_differentials;
 using CGAL::Quartic_differentials::internal::write_file;
@@ -35,15 +41,19 @@ namespace {
 struct Run_options
 {
   std::string                  mesh, folder, singularities;
-  bool                         quiet = false, intrinsic = false, quads = false, smooth = true;
+  std::string                  command_line;
+  bool                         quiet = false, intrinsic = false, html = true;
   Quartic_differential_options pipeline;
-  Quantization_options         quantization;
+  Quad_options                 quads;
+  std::vector<std::string>     quad_formats{"obj", "vtu"};
 };
 
-const char* const output_files[] = {"flat.obj", "flat.mtl", "flat.png", "flat_intrinsic.json", "flat_intrinsic.obj", "flat_intrinsic.mtl",
-                                    "flat_intrinsic.png", "tmesh.json", "tmesh.vtp", "singularities.txt", "pareto.csv", "pareto.svg",
-                                    "loops.obj",
-                                    "quads.obj", "report.json"};
+const char* const output_files[] = {
+  "flat.obj", "flat.mtl", "flat.png", "flat_intrinsic.json", "flat_intrinsic.obj", "flat_intrinsic.mtl",
+  "flat_intrinsic.png", "tmesh.json", "tmesh.vtp", "singularities.txt", "pareto.csv", "pareto.svg", "loops.obj",
+  "quads.obj", "quads.off", "quads.ply", "quads.vtu", "quads.png", "splines.xml", "splines.json", "splines.vtu",
+  "tmesh.tsp", "picture_checkerboard.png", "picture_tmesh.png", "picture_quads.png", "picture_loops.png",
+  "report.json", "report.html"};
 
 // Makes the folder and removes what an earlier run left there, so that results of two runs never mix.
 void prepare_folder(const fs::path& folder)
@@ -82,16 +92,25 @@ void write_results(const std::string& folder, const Intrinsic_triangulation& inp
   }
 }
 
-Quads made_quads(const Intrinsic_triangulation& input, const Quartic_differential_result& r,
-                 const Run_options& run_options, Visitor& visitor)
+// quads.obj is always there, for `quartic verify` and for scripts
+void write_quads(const std::string& folder, const Quads& quads, const Quartic_differential_result& r,
+                 const std::vector<std::string>& formats)
 {
-  Quantization_options options = run_options.quantization;
-  if (!r.t_mesh) throw Infeasible_divisor_error("there is no singularity, hence no T-mesh that could be cut into quads");
-  options.surface_units_per_unit = r.refined->differential.surface_units_per_unit;
-  Quads quads{quantize(*r.t_mesh, options, visitor), {}, {}};
-  quads.mesh = quad_mesh(*r.t_mesh, quads.quantization.length, *r.refined);
-  if (run_options.smooth) quads.smoothing = smooth_quads(input, Smoothing_options(), quads.mesh);
-  return quads;
+  std::set<std::string> wanted(formats.begin(), formats.end());
+  wanted.insert("obj");
+  for (const std::string& format : wanted)
+    write_file(folder + "/quads." + format, [&](std::ostream& out) {
+      if (format == "obj") write_quads_obj(out, quads.mesh);
+      if (format == "off") write_quads_off(out, quads.mesh, *r.t_mesh);
+      if (format == "ply") write_quads_ply(out, quads.mesh, *r.t_mesh);
+      if (format == "vtu") write_quads_vtu(out, quads.mesh, *r.t_mesh);
+    });
+  write_file(folder + "/quads.png", [&](std::ostream& out) { write_quads_picture(out, quads.mesh, *r.t_mesh); });
+  if (!quads.splines) return;
+  write_file(folder + "/splines.xml", [&](std::ostream& out) { write_multipatch_xml(out, *quads.splines); });
+  write_file(folder + "/splines.json", [&](std::ostream& out) { write_multipatch_json(out, *quads.splines); });
+  write_file(folder + "/splines.vtu", [&](std::ostream& out) { write_multipatch_vtu(out, *quads.splines); });
+  write_file(folder + "/tmesh.tsp", [&](std::ostream& out) { write_t_spline(out, *r.t_mesh, r.traced()); });
 }
 
 std::optional<Divisor> divisor_from_file(const std::string& path, const Intrinsic_triangulation& input)
@@ -106,7 +125,9 @@ void run(const Run_options& options)
 {
   Progress progress(options.quiet);
   Run_facts facts;
+  facts.command = options.command_line;
   facts.mesh = options.mesh;
+  facts.folder = options.folder;
   internal::Timing_visitor timed(progress, facts.timings);
 
   Intrinsic_triangulation input;
@@ -117,19 +138,14 @@ void run(const Run_options& options)
     singularities = divisor_from_file(options.singularities, input);
   }
   facts.input = &input;
-  if (options.quads && !input.is_embedded())
+  if (options.pipeline.quads && !input.is_embedded())
     throw Unusable_surface_error("quads need positions in space, but the surface is known by its edge lengths alone");
   prepare_folder(options.folder);
 
   Quartic_differential_result result;
-  std::optional<Quads> quads;
   std::exception_ptr failure;
   try {
     quartic_differential(input, singularities, options.pipeline, progress, result);
-    if (options.quads) {
-      const internal::Timed_step step(timed, "quad_mesh");
-      quads = made_quads(input, result, options, progress);
-    }
   } catch (const Numerical_error& e) {   // what was computed is still written
     facts.failure = e.what();
     failure = std::current_exception();
@@ -137,14 +153,17 @@ void run(const Run_options& options)
     facts.failure = e.what();
     failure = std::current_exception();
   }
+  Json model;
   {
     const internal::Timed_step step(timed, "write");
     write_results(options.folder, input, options.pipeline.choice.distortion, options.intrinsic, result);
-    if (quads)
-      write_file(options.folder + "/quads.obj", [&](std::ostream& out) { write_quads_obj(out, quads->mesh); });
+    if (result.quads) write_quads(options.folder, *result.quads, result, options.quad_formats);
+    if (options.html) model = page_model(input, result);
   }
-  const Json report = run_report(facts, result, quads);
+  const Json report = run_report(facts, result);   // knows all times but those of the two files that hold it
   write_file(options.folder + "/report.json", [&](std::ostream& out) { out << report.dump(1) << '\n'; });
+  if (options.html)
+    write_file(options.folder + "/report.html", [&](std::ostream& out) { write_page(out, facts, model, report); });
   if (!options.quiet) {
     print_summary(std::cout, report);
     std::cout << "  results           " << options.folder << (failure ? " (as far as the run came)\n" : "\n");
@@ -154,10 +173,10 @@ void run(const Run_options& options)
 
 } // namespace
 
-void add_run(CLI::App& app)
+void add_run(CLI::App& app, const std::string& command_line)
 {
   auto options = std::make_shared<Run_options>();
-  options->pipeline.homology = Homology_choice::handle_tunnel;
+  options->command_line = command_line;
   CLI::App* command = app.add_subcommand("run", "Compute singularities, flat metric, quartic differential and T-mesh of a mesh");
   command->add_option("MESH", options->mesh, "Closed triangle or polygon mesh (.off, .obj, .ply, .stl), or a surface of "
                                              "glued triangles (.json)")->required();
@@ -216,22 +235,37 @@ void add_run(CLI::App& app)
                       "Compute the flat metric, its holonomy and its layout with this number of binary digits; without it "
                       "doubles are used, and 128 digits where those are not enough")
          ->check(CLI::Range(64, 1024))->type_name("BITS");
-  CLI::Option* number = command->add_option("--quads", options->quantization.number_of_quads,
+  CLI::Option* number = command->add_option("--quads", options->quads.quantization.number_of_quads,
                                             "Also make a quad mesh, quads.obj, of about this number of quads")
                                ->check(CLI::Range(1, 100000000))->type_name("N");
-  command->add_option("--edge-length", options->quantization.edge_length,
+  command->add_option("--edge-length", options->quads.quantization.edge_length,
                       "Also make a quad mesh with sides of about this length")
          ->check(CLI::PositiveNumber)->type_name("H")->excludes(number);
-  command->add_flag("!--no-smoothing", options->smooth,
+  command->add_option("--quad-format", options->quad_formats,
+                      "Formats of the quad mesh beside quads.obj: names separated by commas, or one an option")
+         ->check(CLI::IsMember({"obj", "off", "ply", "vtu"}).description(""))->delimiter(',')->allow_extra_args(false)
+         ->type_name("obj|off|ply|vtu")->capture_default_str();
+  command->add_flag("!--no-smoothing", options->quads.smooth,
                     "Leave the vertices of the quad mesh where the exact map takes them, on even divisions of the T-mesh");
+  CLI::Option* splines = command->add_flag("--splines", options->quads.splines,
+    "Also fit bicubic splines to the surface: the quads come in square blocks, patches that meet side to side, and every "
+    "quad is a knot span; splines.xml (G+Smo), .json and .vtu, and the T-mesh with knot intervals, tmesh.tsp");
+  command->add_option("--patches", options->quads.quantization.number_of_blocks,
+                      "About this number of patches; without it, 3 for every rectangle of the T-mesh")
+         ->check(CLI::Range(1, 1000000))->type_name("P")->needs(splines);
   command->add_flag_callback("--no-loops", [options] { options->pipeline.homology = Homology_choice::any; },
                              "Take any canonical homology basis, not one of short handle and tunnel loops");
   command->add_flag("--intrinsic", options->intrinsic,
                     "Also write flat_intrinsic.obj: the flat triangulation, drawn straight between its vertices");
+  command->add_flag("!--no-html", options->html, "Do not write report.html, the page that shows the results");
   command->add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
   command->callback([options, command] {
     options->pipeline.add_to_given = command->count("--distortion") + command->count("--count") > 0;
-    options->quads = command->count("--quads") + command->count("--edge-length") > 0;
+    const std::size_t asked_for = command->count("--quads") + command->count("--edge-length")
+                                  + command->count("--splines");
+    if (command->count("--quad-format") > 0 && asked_for == 0)
+      throw CLI::RequiresError("--quad-format", "--quads, --edge-length or --splines");
+    if (asked_for > 0) options->pipeline.quads = options->quads;
     run(*options);
   });
 }

@@ -86,6 +86,15 @@ void print_summary(std::ostream& out, const Json& report)
     const Json& q = report["quad_mesh"];
     row(out, "quads", std::to_string(q["quads"].get<std::size_t>()) + ", scaled Jacobian at least "
         + number(q["scaled_jacobian"]["min"]) + ", " + number(q["scaled_jacobian"]["mean"]) + " on average");
+    row(out, "", "angles " + number(q["angle_degrees"]["min"]) + " to " + number(q["angle_degrees"]["max"])
+        + " degrees, sides of a quad up to 1 : " + number(q["edge_ratio"]["max"]));
+    const Json& distance = q["distance_by_diagonal"];
+    row(out, "", "distance to the surface at most " + number(distance["quads_to_input"]["max"])
+        + " of its diagonal, of its vertices to the quads " + number(distance["input_vertices_to_quads"]["max"]));
+    if (q.contains("splines"))
+      row(out, "splines", std::to_string(q["splines"]["patches"].get<std::size_t>()) + " bicubic patches, distance to the "
+          "surface at most " + number(q["splines"]["distance_by_diagonal"]["max"]) + " of its diagonal, rms "
+          + number(q["splines"]["distance_by_diagonal"]["rms"]));
     if (q.contains("shortfall"))
       row(out, "", std::to_string(q["target"].get<std::size_t>()) + " were asked for, but "
           + q["shortfall"].get<std::string>());

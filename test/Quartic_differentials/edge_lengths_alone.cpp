@@ -108,7 +108,10 @@ void test_without_positions(const std::string& name, const Mesh& mesh)
   const Intrinsic_triangulation in_space = placed_in_space(lengths, mesh);
   CHECK(in_space.is_embedded() && !lengths.is_embedded());
   CHECK(in_space.lengths() == lengths.lengths());
-  const Quartic_differential_result a = Quartic_test::run_pipeline(in_space), b = Quartic_test::run_pipeline(lengths);
+  Quartic_differential_options options;
+  options.homology = Homology_choice::any;   // handles and tunnels are known in space only
+  const Quartic_differential_result a = Quartic_test::run_pipeline(in_space, options),
+                                    b = Quartic_test::run_pipeline(lengths, options);
   std::cout << name << ": " << b.singularities.size() << " singularities, " << b.t_mesh->patches.size() << " patches"
             << std::endl;
 
@@ -177,7 +180,9 @@ Quartic_differential_result run_checked(const std::string& name, const Intrinsic
 {
   Visitor visitor;
   Quartic_differential_result r;
-  quartic_differential(t, divisor, {}, visitor, r);
+  Quartic_differential_options options;
+  options.homology = Homology_choice::any;   // handles and tunnels are known in space only
+  quartic_differential(t, divisor, options, visitor, r);
   std::cout << name << ": genus " << t.genus() << ", " << t.number_of_vertices() << " vertices, "
             << t.number_of_faces() << " faces, " << loops_and_parallel_edges(t) << " of " << t.number_of_edges()
             << " edges loops or parallel, " << r.singularities.size() << " singularities, "
@@ -343,7 +348,7 @@ void test_program()
   std::set<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "results"))
     files.insert(entry.path().filename().string());
-  CHECK(files == std::set<std::string>({"flat_intrinsic.json", "tmesh.json", "report.json"}));
+  CHECK(files == std::set<std::string>({"flat_intrinsic.json", "tmesh.json", "report.json", "report.html"}));
   for (const char* arguments : {"verify results", "verify surface.json results"}) {
     const Quartic_test::Outcome verify = folder.quartic(arguments);
     CHECK_EQUAL(verify.status, 0);

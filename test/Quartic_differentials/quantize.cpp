@@ -273,11 +273,14 @@ void coarse_square_tiled_surfaces()
       check_quantization(t, r);
       with_zeros += std::count(r.length.begin(), r.length.end(), 0) > 0;
       with_cuts += r.cuts > 0;
+      CHECK(r.method == method);
     }
   }
   CHECK(with_zeros > 20);
   CHECK(with_cuts > 60);
 }
+
+std::size_t out_of_nodes = 0;   // results of the fallback
 
 // Surfaces from the whole pipeline, down to the coarsest quads.
 void check_sample(const std::string& name, Mesh mesh)
@@ -333,6 +336,14 @@ void check_sample(const std::string& name, Mesh mesh)
   const Quantization limited = quantize(t, options, quiet);
   check_quantization(t, limited);
   CHECK(limited.length == quantize(t, options, quiet).length);
+  // and where no search is allowed
+  options.node_limit = 0;
+  for (std::size_t target : {30, 60, 90, 120, 150, 180}) {
+    options.number_of_quads = target;
+    const Quantization without_search = quantize(t, options, quiet);
+    check_quantization(t, without_search);
+    out_of_nodes += without_search.method == Quantization_method::even;
+  }
   // no time at all
   options = {};
   options.time_limit = 0;
@@ -404,6 +415,8 @@ int main()
   check_sample("torus", jittered_torus(40, 20, 0.3, 0.5, 2));
   check_sample("genus 2", handle_chain(2, 8));
   check_sample("genus 3", handle_ring(3, 8));
+  std::cout << out_of_nodes << " of 24 coarse quantizations are even where no search is allowed\n";
+  CHECK(out_of_nodes > 0);
   damaged_quantizations();
   refused_input();
   return result();

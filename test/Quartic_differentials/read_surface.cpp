@@ -58,8 +58,8 @@ std::string notes_of(const std::string& name, const std::string& contents)
 
 #define CHECK_REFUSED(name, contents, part) CHECK_THROWS(read(name, contents), Unusable_surface_error, part)
 
-const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
-const std::string tetrahedron = "OFF\n4 4 0\n" + vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+const std::string four_points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string tetrahedron = "OFF\n4 4 0\n" + four_points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
 const std::string cube =
   "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
   "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
@@ -96,7 +96,7 @@ void check_off()
   check_sphere(read("t.off", replaced(tetrahedron, "OFF\n", "COFF\n")), 4, 4);
   check_sphere(read("c.off", cube), 8, 12);
   CHECK(notes_of("c.off", cube).find("6 faces with more than three corners were triangulated") == 0);
-  const std::string inside_out = "OFF\n4 4 0\n" + vertices + "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 0 2 3\n";
+  const std::string inside_out = "OFF\n4 4 0\n" + four_points + "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 0 2 3\n";
   CHECK(notes_of("i.off", inside_out).find("inside-out") != std::string::npos);
 
   const std::string unused = "OFF\n6 4 0\n9 9 9\n0 0 0\n1 0 0\n8 8 8\n0 1 0\n0 0 1\n3 1 4 2\n3 1 2 5\n3 2 4 5\n3 1 5 4\n";
@@ -111,7 +111,7 @@ void check_off()
   CHECK(notes_of("s.off", soup).find("8 vertices had the same coordinates") == 0);
 
   // two closed tetrahedra that touch at a point, but not in their indices, stay two
-  CHECK_REFUSED("touching.off", "OFF\n8 8 0\n" + vertices + "0 0 0\n-1 0 0\n0 -1 0\n0 0 -1\n"
+  CHECK_REFUSED("touching.off", "OFF\n8 8 0\n" + four_points + "0 0 0\n-1 0 0\n0 -1 0\n0 0 -1\n"
     "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 4 5 6\n3 4 7 5\n3 5 7 6\n3 4 6 7\n",
     "the surface has 2 components: vertex 4 at (0, 0, 0)");
 }
@@ -122,7 +122,7 @@ void check_other_formats()
                              "f 1/1 3/1 2/1\nf 1 2 4\nf -3 -2 -1\nf 1//1 4//1 3//1\n"), 4, 4);
   const std::string ply_header = "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\nproperty float x\nproperty float y\n"
                                  "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n";
-  const std::string ply = ply_header + vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  const std::string ply = ply_header + four_points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
   check_sphere(read("t.ply", ply), 4, 4);
   check_sphere(read("t.ply", replaced(ply, "uchar", "int")), 4, 4);
   check_sphere(read("t.ply", with_windows_line_ends(ply)), 4, 4);
@@ -214,11 +214,11 @@ void check_refusals()
   CHECK_REFUSED("t.off", replaced(tetrahedron, "3 0 3 2", "3 3 1 2"), "face 3 at (0, 0, 1) has the same corners as face 2");
   CHECK_REFUSED("t.off", replaced(tetrahedron, "3 0 2 1", "3 0 1 2"),
     "the faces 0 and 1 are oriented against each other at the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0)");
-  CHECK_REFUSED("open.off", "OFF\n4 3 0\n" + vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n",
+  CHECK_REFUSED("open.off", "OFF\n4 3 0\n" + four_points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n",
     "surfaces with boundary are not supported yet: the edge from vertex 0 at (0, 0, 0) to vertex 2 at (0, 1, 0)");
-  CHECK_REFUSED("page.off", "OFF\n5 5 0\n" + vertices + "1 1 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n",
+  CHECK_REFUSED("page.off", "OFF\n5 5 0\n" + four_points + "1 1 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n",
     "the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0) has 3 faces");
-  CHECK_REFUSED("fan.off", "OFF\n7 8 0\n" + vertices + "-1 0 0\n0 -1 0\n0 0 -1\n"
+  CHECK_REFUSED("fan.off", "OFF\n7 8 0\n" + four_points + "-1 0 0\n0 -1 0\n0 0 -1\n"
     "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 0 5 6\n",
     "the faces at vertex 0 at (0, 0, 0) form more than one fan");
 }

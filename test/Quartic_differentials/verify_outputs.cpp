@@ -6,9 +6,12 @@
 
 #include <CGAL/Quartic_differentials/IO/verify_outputs.h>
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
+#include <CGAL/Quartic_differentials/IO/write_quads.h>
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
 #include <CGAL/Quartic_differentials/immersion.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
+#include <CGAL/Quartic_differentials/quad_mesh.h>
+#include <CGAL/Quartic_differentials/quantize.h>
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
 #include <CGAL/Quartic_differentials/t_mesh.h>
 
@@ -24,7 +27,11 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <set>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 using namespace CGAL::Quartic_differentials;
 using namespace Quartic_test;
@@ -320,6 +327,23 @@ void obj_is_exact()
     CHECK(std::filesystem::file_size(Output::folder() + "/" + name) > 50);
 }
 
+using Lines = std::vector<std::string>;
+
+Lines lines_of(const std::string& name)
+{
+  Lines lines;
+  std::ifstream in(Output::folder() + "/" + name);
+  for (std::string line; std::getline(in, line); ) lines.push_back(line);
+  return lines;
+}
+
+std::string joined(const Lines& lines)
+{
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
+}
+
 // The results on a surface in space, spoilt one line of flat.obj at a time.
 void flat_obj_is_checked()
 {
@@ -339,9 +363,7 @@ void flat_obj_is_checked()
   const Intrinsic_triangulation other(handle_chain(2, 8));
   CHECK(fails_with(verify_outputs(Output::folder(), &other), "vertices of the input are missing or have moved"));
 
-  std::vector<std::string> lines;
-  std::ifstream in(Output::folder() + "/flat.obj");
-  for (std::string line; std::getline(in, line); ) lines.push_back(line);
+  const Lines lines = lines_of("flat.obj");
   const auto last = [&](const std::string& key) {
     std::size_t found = 0;
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -349,11 +371,9 @@ void flat_obj_is_checked()
     return found;
   };
   const auto spoilt = [&](std::size_t line, const std::string& text, const std::string& sentence) {
-    std::vector<std::string> bad = lines;
+    Lines bad = lines;
     bad[line] = text;
-    std::string file;
-    for (const std::string& l : bad) file += l + '\n';
-    Output::write("flat.obj", file);
+    Output::write("flat.obj", joined(bad));
     const auto checks = verify_outputs(Output::folder(), &input);
     CHECK(fails_with(checks, sentence));
     if (!fails_with(checks, sentence)) std::cerr << "instead of " << text << ": " << sentence << std::endl;
@@ -365,7 +385,7 @@ void flat_obj_is_checked()
   words >> a >> b >> c;
   spoilt(f, "", "flat.obj: every edge is shared by two triangles");
   spoilt(f, "f " + b + ' ' + a + ' ' + c, "flat.obj: every edge is shared by two triangles");
-  spoilt(f, "f " + a + ' ' + b, "flat.obj: a face refers to what is not there");
+  spoilt(f, "f " + a + ' ' + b, "flat.obj: a face is not a triangle");
   spoilt(f, lines[f] + ' ' + a, "flat.obj: a face is not a triangle");
   spoilt(f, "f 1 2 3", "flat.obj: a corner of a face has no texture vertex");
   spoilt(f, "f 99999999/1 2/2 3/3", "flat.obj: a face refers to what is not there");
@@ -380,6 +400,192 @@ void flat_obj_is_checked()
   std::filesystem::remove(Output::folder() + "/flat.obj");
 }
 
+bool is_kind(const std::string& line, const char* key) { return line.compare(0, 2, key) == 0; }
+
+// the line that is the n-th of its kind
+std::string& line(Lines& lines, const char* key, std::size_t n)
+{
+  for (std::string& l : lines)
+    if (is_kind(l, key) && n-- == 0) return l;
+  throw std::logic_error("no such line");
+}
+
+// the vertices of a quad's line
+std::vector<std::size_t> quad_of(const std::string& line)
+{
+  std::istringstream words(line.substr(1));
+  std::vector<std::size_t> quad(4);
+  for (std::size_t& v : quad) words >> v;
+  return quad;
+}
+
+std::string quad_line(const std::vector<std::size_t>& quad)
+{
+  std::string line = "f";
+  for (std::size_t v : quad) line += ' ' + std::to_string(v);
+  return line;
+}
+
+// Replaces every vertex of all quads.
+void rename(Lines& lines, const std::function<std::size_t(std::size_t)>& name)
+{
+  for (std::string& l : lines) {
+    if (!is_kind(l, "f ")) continue;
+    std::vector<std::size_t> quad = quad_of(l);
+    for (std::size_t& v : quad) v = name(v);
+    l = quad_line(quad);
+  }
+}
+
+// The quads of a surface of genus 2, spoilt in every way.
+void quads_obj_is_checked()
+{
+  const Intrinsic_triangulation input(handle_chain(2, 6));
+  Visitor visitor;
+  Quartic_differential_result result;
+  quartic_differential(input, std::nullopt, {}, visitor, result);
+  Quantization_options options;
+  options.number_of_quads = 400;
+  const Quad_mesh m = quad_mesh(*result.t_mesh, quantize(*result.t_mesh, options, visitor).length, *result.refined);
+  Output valid = output_of(*result.differential);
+  std::ostringstream tmesh, quads;
+  write_t_mesh_json(tmesh, *result.t_mesh, result.traced(), "input");
+  write_quads_obj(quads, m);
+  valid.tmesh = json::parse(tmesh.str());
+  const std::size_t patches = std::set<std::size_t>(m.patch.begin(), m.patch.end()).size();
+  valid.report["quad_mesh"] = {{"quads", m.quads.size()}, {"vertices", m.points.size()}, {"patches", patches},
+                               {"scaled_jacobian", {{"min", scaled_jacobian(m).least}}}};
+  write_flat_obj(Output::folder(), "flat", result.refined->differential);
+  std::filesystem::remove(Output::folder() + "/quads.obj");
+  CHECK(fails_with(valid.verified(), "quads.obj: the file cannot be opened"));
+  Output::write("quads.obj", quads.str());
+  CHECK(all_hold(valid.verified()));
+  CHECK(all_hold(verify_outputs(Output::folder(), &input)));
+  const Lines lines = lines_of("quads.obj");
+
+  const auto check_fails = [&](const std::string& sentence, const std::function<void(Output&, Lines&)>& spoil) {
+    Output output = valid;
+    Lines bad = lines;
+    spoil(output, bad);
+    Output::write("quads.obj", joined(bad));
+    output.verified();
+    const auto checks = verify_outputs(Output::folder(), &input);
+    CHECK(fails_with(checks, sentence));
+    if (!fails_with(checks, sentence)) std::cerr << "expected to fail with: " << sentence << std::endl;
+  };
+  const auto are_quads = [](const std::string& a, const std::string& b)
+  { return is_kind(a, "f ") && is_kind(b, "f "); };
+  const auto two_of_a_patch = [&](Lines& l) { return std::adjacent_find(l.begin(), l.end(), are_quads); };
+  using Change = std::function<void(std::vector<std::size_t>&)>;
+  const auto change_quad = [&](const std::string& sentence, const Change& change) {
+    check_fails(sentence, [&](Output&, Lines& l) {
+      std::string& first = *two_of_a_patch(l);
+      std::vector<std::size_t> quad = quad_of(first);
+      change(quad);
+      first = quad_line(quad);
+    });
+  };
+  const std::size_t n = m.points.size();
+
+  change_quad("edge is shared by two quads", [](auto& quad) { std::swap(quad[1], quad[2]); });
+  change_quad("edge is shared by two quads", [](auto& quad) { std::reverse(quad.begin(), quad.end()); });
+  change_quad("are a regular grid", [](auto& quad) { std::rotate(quad.begin(), quad.begin() + 1, quad.end()); });
+  change_quad("has a vertex twice", [](auto& quad) { quad[2] = quad[0]; });
+  change_quad("a face is not a quad", [](auto& quad) { quad.push_back(1); });
+  change_quad("a face is not a quad", [](auto& quad) { quad.pop_back(); });
+  change_quad("refers to what is not there", [](auto& quad) { quad[0] = 0; });
+  change_quad("refers to what is not there", [&](auto& quad) { quad[0] = n + 1; });
+  for (const char* sentence : {"edge is shared by two quads", "vertices, as in the report"})
+    check_fails(sentence, [](Output&, Lines& l) { line(l, "f ", 20).clear(); });
+  check_fails("edge is shared by two quads", [](Output&, Lines& l) { l.push_back(line(l, "f ", 20)); });
+  check_fails("one component", [&](Output&, Lines& l) {   // two copies
+    Lines copy = l;
+    rename(copy, [&](std::size_t v) { return v + n; });
+    l.insert(l.end(), copy.begin(), copy.end());
+  });
+  check_fails("one circle", [&](Output&, Lines& l) {   // two vertices that have no neighbour in common become one
+    std::vector<std::size_t> near(1, 1);
+    for (int ring = 0; ring < 3; ++ring) {
+      std::vector<std::size_t> more = near;
+      for (const auto& quad : m.quads)
+        if (std::any_of(quad.begin(), quad.end(), [&](std::size_t v) {
+              return std::count(near.begin(), near.end(), v + 1) > 0;
+            }))
+          for (std::size_t v : quad) more.push_back(v + 1);
+      near = more;
+    }
+    std::size_t far = 1;
+    while (std::count(near.begin(), near.end(), far) > 0) ++far;
+    rename(l, [&](std::size_t v) { return v == far ? 1 : v; });
+  });
+  check_fails("quads.obj: Euler characteristic", [](Output& o, Lines&) { o.report["input"]["genus"] = 17; });
+  check_fails("quads.obj: Euler characteristic", [](Output&, Lines& l) { l.insert(l.begin(), "v 0 0 0"); });
+  check_fails("irregular vertices are exactly", [](Output& o, Lines&) { o.report["singularities"].erase(0); });
+  check_fails("irregular vertices are exactly", [](Output&, Lines& l) { l.push_back("v 0 0 0"); });   // it has no quad
+  check_fails("vertices, as in the report", [](Output&, Lines& l) { l.push_back("v 0 0 0"); });
+  for (const char* key : {"quads", "vertices"})
+    check_fails("vertices, as in the report", [&](Output& o, Lines&) {
+      o.report["quad_mesh"][key] = o.report["quad_mesh"][key].get<int>() + 1;
+    });
+
+  check_fails("groups are patches", [](Output&, Lines& l) { line(l, "g ", 2) = "g patch_99999"; });
+  check_fails("patches have quads, as many", [](Output&, Lines& l) { line(l, "g ", 2) = line(l, "g ", 1); });
+  check_fails("are a regular grid", [&](Output&, Lines& l) {   // the last quad of a patch goes to the next
+    const auto next = std::find_if(two_of_a_patch(l), l.end(), [](const std::string& s) { return is_kind(s, "g "); });
+    std::iter_swap(next, next - 1);
+  });
+  check_fails("are a regular grid", [&](Output&, Lines& l) {   // two quads in the wrong order
+    const auto first = two_of_a_patch(l);
+    std::iter_swap(first, first + 1);
+  });
+  for (const char* name : {"g", "g ", "g patch_", "g patch_-1", "g patch_ 1", "g patch_1x", "g patch_12345678901",
+                           "g 1", "o x"})
+    check_fails("quads.obj: a ", [&](Output&, Lines& l) { line(l, "g ", 2) = name; });
+  check_fails("a quad is not in a group", [](Output&, Lines& l) { line(l, "g ", 0).clear(); });
+  check_fails("neither a vertex, nor a group, nor a quad", [](Output&, Lines& l) { l.push_back("l 1 2"); });
+
+  check_fails("vertices lie on the input", [](Output&, Lines& l) { line(l, "v ", 5) = "v 100 0 0"; });
+  check_fails("vertices lie on the input", [&](Output&, Lines& l) {   // by a hundred millionth of its size
+    const Point_3& p = m.points[5];
+    std::ostringstream moved;
+    moved.precision(17);
+    moved << "v " << p.x() * (1 + 1e-7) << ' ' << p.y() * (1 + 1e-7) << ' ' << p.z() * (1 + 1e-7);
+    line(l, "v ", 5) = moved.str();
+  });
+  check_fails("a coordinate is not a finite number", [](Output&, Lines& l) { line(l, "v ", 5) = "v 0 nan 0"; });
+  check_fails("a coordinate is not a finite number", [](Output&, Lines& l) { line(l, "v ", 5) = "v 0 0"; });
+  check_fails("three coordinates", [](Output&, Lines& l) { line(l, "v ", 5) += " 0"; });
+  check_fails("least scaled Jacobian", [](Output&, Lines& l) { std::swap(line(l, "v ", 5), line(l, "v ", 100)); });
+  check_fails("least scaled Jacobian", [](Output& o, Lines&) {
+    auto& least = o.report["quad_mesh"]["scaled_jacobian"]["min"];
+    least = least.get<double>() + 1e-11;
+  });
+  check_fails("the report says that there are quads", [](Output& o, Lines&) { o.report.erase("quad_mesh"); });
+  check_fails("report.json: \"quads\" is missing", [](Output& o, Lines&) { o.report["quad_mesh"] = nullptr; });
+  check_fails("min is not a number", [](Output& o, Lines&) {
+    o.report["quad_mesh"]["scaled_jacobian"]["min"] = nullptr;
+  });
+  check_fails("quad_mesh.quads is out of range", [](Output& o, Lines&) { o.report["quad_mesh"]["quads"] = -1; });
+
+  valid.verified();
+  const std::string text = quads.str();
+  std::mt19937 random(3);
+  std::string noise(10000, ' ');
+  for (char& c : noise) c = static_cast<char>(random());
+  for (const std::string& bad : {std::string(), noise, text + noise, text.substr(0, text.size() / 2),
+                                 text.substr(0, text.size() - 1), text + std::string(3, '\0') + "\n"}) {
+    Output::write("quads.obj", bad);
+    CHECK(fails_with(verify_outputs(Output::folder(), &input), "quads.obj: "));
+  }
+  for (int i = 0; i < 200; ++i) {   // one byte at a time: no crash, whatever the verdict
+    std::string bad = text;
+    bad[random() % bad.size()] = "0123456789 \nvfg-.e"[random() % 18];
+    Output::write("quads.obj", bad);
+    CHECK(!verify_outputs(Output::folder()).empty());
+  }
+  for (const char* name : {"quads.obj", "flat.obj"}) std::filesystem::remove(Output::folder() + "/" + name);
+}
+
 } // namespace
 
 int main()
@@ -391,6 +597,7 @@ int main()
   random_bytes_do_no_harm();
   obj_is_exact();
   flat_obj_is_checked();
+  quads_obj_is_checked();
   std::filesystem::remove_all(Output::folder());
   return Quartic_test::result();
 }

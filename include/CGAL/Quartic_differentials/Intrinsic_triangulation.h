@@ -20,6 +20,7 @@ namespace CGAL {
 namespace Quartic_differentials {
 
 using Point_3  = CGAL::Simple_cartesian<double>::Point_3;
+using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
 using Mesh     = CGAL::Surface_mesh<Point_3>;
 using Vertex   = Mesh::Vertex_index;
 using Halfedge = Mesh::Halfedge_index;

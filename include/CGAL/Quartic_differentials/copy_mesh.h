@@ -23,6 +23,14 @@ namespace Quartic_differentials {
 
 namespace internal {
 
+/// whether CGAL's graph traits know halfedges and faces of a type
+template <class Graph, class = void>
+struct is_face_list_graph : std::false_type {};
+
+template <class Graph>
+struct is_face_list_graph<Graph, std::void_t<typename boost::graph_traits<Graph>::halfedge_descriptor,
+                                             typename boost::graph_traits<Graph>::face_descriptor>> : std::true_type {};
+
 /// the halfedges h0, h1, h2 of a face: `Surface_point` refers to their sources
 template <class TriangleMesh>
 std::array<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor, 3>
@@ -122,6 +130,8 @@ template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_
 Intrinsic_triangulation intrinsic_triangulation(const TriangleMesh& mesh,
                                                 const NamedParameters& np = CGAL::parameters::default_values())
 {
+  static_assert(internal::is_face_list_graph<TriangleMesh>::value,
+                "the mesh must be a model of CGAL's concept FaceListGraph, like CGAL::Surface_mesh or Polyhedron_3");
   if (!is_closed(mesh)) throw Unusable_surface_error("the mesh has a boundary");
   if (!is_triangle_mesh(mesh)) throw Unusable_surface_error("the mesh has a face that is not a triangle");
   const auto lengths = CGAL::parameters::get_parameter(np, parameters::edge_length_map_t());

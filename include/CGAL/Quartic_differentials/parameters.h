@@ -18,6 +18,7 @@ namespace parameters {
 /// \cond
 struct edge_length_map_t {};
 struct legalization_options_t {};
+struct singularities_t {};
 /// \endcond
 
 /// the lengths of the edges, instead of distances in space: a property map with `edge_descriptor` as key type and values
@@ -40,6 +41,16 @@ auto legalization_options(const Options& options)
 template <class Options, class NamedParameters>
 auto legalization_options(const Options& options, const NamedParameters& np)
 { return CGAL::Named_function_parameters<Options, legalization_options_t, NamedParameters>(options, np); }
+
+/// the singularities to start from, a `Mesh_divisor` of the mesh
+template <class MeshDivisor>
+auto singularities(const MeshDivisor& divisor)
+{ return CGAL::Named_function_parameters<MeshDivisor, singularities_t>(divisor); }
+
+/// \overload
+template <class MeshDivisor, class NamedParameters>
+auto singularities(const MeshDivisor& divisor, const NamedParameters& np)
+{ return CGAL::Named_function_parameters<MeshDivisor, singularities_t, NamedParameters>(divisor, np); }
 
 } } } // namespace CGAL::Quartic_differentials::parameters
 

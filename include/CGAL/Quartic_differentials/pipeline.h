@@ -15,6 +15,7 @@
 #include <CGAL/Quartic_differentials/immersion.h>
 #include <CGAL/Quartic_differentials/legalize_divisor.h>
 #include <CGAL/Quartic_differentials/minimize_distortion.h>
+#include <CGAL/Quartic_differentials/quads.h>
 #include <CGAL/Quartic_differentials/refined_surface.h>
 #include <CGAL/Quartic_differentials/riemann_surface.h>
 #include <CGAL/Quartic_differentials/t_mesh.h>
@@ -32,7 +33,7 @@ enum class Optimize { automatic, always, never };   ///< automatic: if they were
 
 struct Quartic_differential_options
 {
-  Homology_choice      homology = Homology_choice::any;
+  Homology_choice      homology = Homology_choice::handle_tunnel;
   Singularity_choice_options choice;            ///< how singularities are chosen when none are given
   bool                 add_to_given = false;    ///< choose more, beside those that are given
   bool                 repair_degree = false;   ///< add simple singularities until the degree is 8g-8
@@ -45,9 +46,10 @@ struct Quartic_differential_options
   /// enough
   int                  precision = 0;
   Immersion_options    immersion;
+  std::optional<Quad_options> quads;            ///< a quad mesh too
 };
 
-/// What the eight steps of the pipeline made; a step that was not reached left its part empty.
+/// What the steps of the pipeline made; a step that was not reached left its part empty.
 struct Quartic_differential_result
 {
   std::optional<Riemann_surface>      surface;        ///< steps 1 to 3
@@ -66,6 +68,7 @@ struct Quartic_differential_result
   std::optional<Refined_surface>      refined;        ///< the same on the input, subdivided; if that is embedded
   Immersion_report                    immersion;
   std::optional<T_mesh>               t_mesh;         ///< step 8, on `traced()`
+  std::optional<Quads>                quads;          ///< if they were asked for
   std::vector<std::pair<std::string, double>> timings; ///< seconds by step, in the order they ended
 
   /// the differential on which the T-mesh is traced: on the input where that is possible, otherwise on the flat
@@ -73,12 +76,13 @@ struct Quartic_differential_result
   const Quartic_differential& traced() const { return refined ? refined->differential : *differential; }
 };
 
-/// runs the eight steps from a surface to its T-mesh.
+/// runs the eight steps from a surface to its T-mesh, and goes on to quads if `options.quads` says how.
 ///
 /// \param singularities the divisor to start from, on the faces of `input`; none: they are chosen
 /// \param result is filled step by step, so that it holds what was computed even if a later step throws
 /// \pre `input` is a closed connected surface without degenerate triangles
 /// \throws Infeasible_divisor_error, Numerical_error, Cancelled_error: see the steps
+/// \throws Unusable_surface_error if quads are asked for and `input` is not embedded
 void quartic_differential(const Intrinsic_triangulation& input, const std::optional<Divisor>& singularities,
                           const Quartic_differential_options& options, Visitor& visitor,
                           Quartic_differential_result& result);

@@ -24,6 +24,12 @@ struct Quad_mesh
   std::vector<std::array<std::size_t, 4>> quads;         ///< vertices, counterclockwise seen from outside
   std::vector<std::size_t>                patch;         ///< by quad: the patch of the T-mesh
   std::vector<std::size_t>                singularities; ///< vertices, by singular node of the T-mesh in their order
+
+  std::array<Point_3, 4> corners(std::size_t quad) const
+  {
+    const auto& [a, b, c, d] = quads[quad];
+    return {points[a], points[b], points[c], points[d]};
+  }
 };
 
 /// cuts the patches of a T-mesh into the regular grids that a quantization gives them, glued along the arcs.
@@ -48,10 +54,15 @@ Quad_mesh quad_mesh(const T_mesh& t, const std::vector<int>& q, const Refined_su
 /// Complexity: O(n log n).
 std::string defect(const Quad_mesh& m, const T_mesh& t);
 
+/// by vertex, the order of the zero there, minus that of the pole, 0 where regular.
+/// \pre `defect(m, t)` is empty
+/// Complexity: linear.
+std::vector<int> singularity_orders(const Quad_mesh& m, const T_mesh& t);
+
 /// the quads as a `Surface_mesh` for applications, with the same indices and the property maps
 /// - `f:patch`, `std::size_t`;
 /// - `v:input_point`, `Surface_point`: where it is on the input;
-/// - `v:singularity_order`, `int`: order of the zero, minus that of the pole, 0 where regular.
+/// - `v:singularity_order`, `int`, as above.
 /// \pre `defect(m, t)` is empty
 /// Complexity: linear.
 Mesh surface_mesh(const Quad_mesh& m, const T_mesh& t);

@@ -35,6 +35,7 @@ struct Quantization_options
 {
   std::size_t number_of_quads = 2000;        ///< the target
   double      edge_length = 0;               ///< if positive, the target instead: the length of a quad's side
+  std::size_t number_of_blocks = 0;          ///< if positive, quads come in about this number of blocks of k x k
   double      surface_units_per_unit = 1;    ///< that of the quartic differential: the unit of `edge_length`
   double      tolerance = 0.03;              ///< the scale is searched until the number of quads is as near as this
   std::size_t node_limit = 1000;             ///< of search trees, for all scales: the work, the same on all machines
@@ -44,7 +45,8 @@ struct Quantization_options
 
 struct Quantization
 {
-  std::vector<int>    length;                ///< q, by arc
+  std::vector<int>    length;                ///< q, by arc; multiples of `block_size`
+  int                 block_size = 1;        ///< k: quads come in blocks of k x k, which meet side to side
   double              scale = 0;             ///< s, by grid unit
   std::size_t         number_of_quads = 0;   ///< reached
   std::size_t         target = 0;            ///< asked for; where an edge length was given, the number it stands for
@@ -65,6 +67,9 @@ struct Quantization
 ///
 /// The scale s is searched for the number of quads, unless an edge length is given. Arcs may get length 0, so that
 /// meshes can be coarser than the T-mesh. No quad has a vertex twice, and no two edges have the same ends.
+///
+/// Where blocks are asked for, q is k times a quantization for that number of quads. They are patches for splines: the
+/// lines of a fine mesh from singularity to singularity cut it into about as many patches as it has quads.
 ///
 /// The squares enter as chords between successive integers. The linear program then has half-integral solutions (it is
 /// a bidirected flow: every arc is on two sides), except for the cuts. Cuts are separated: X is the complex of zero

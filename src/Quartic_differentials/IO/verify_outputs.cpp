@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/IO/verify_outputs.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/read_obj.h>
 #include <CGAL/Quartic_differentials/internal/scientific.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -17,13 +19,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -40,7 +39,7 @@ using internal::scientific;
 // ---- Reading: everything that comes from a file passes through these functions
 
 // The file is missing or not of the form it should be.
-struct Malformed : std::runtime_error { using std::runtime_error::runtime_error; };
+struct Malformed : Error { using Error::Error; };
 
 Json read_json(const std::string& folder, const std::string& name)
 {
@@ -102,11 +101,30 @@ const int          largest_grid_exponent = 62;
 
 // ---- report.json
 
+struct Quads_report
+{
+  std::int64_t quads = 0, vertices = 0, patches = 0;
+  double       least_jacobian = 0;
+};
+
 struct Report
 {
-  std::int64_t              genus = 0;
-  std::vector<std::int64_t> orders;   // sorted
+  std::int64_t                genus = 0;
+  std::vector<std::int64_t>   orders;   // sorted
+  std::optional<Quads_report> quads;
 };
+
+Quads_report read_quads_report(const Json& json)
+{
+  Quads_report quads;
+  quads.quads = integer(member(json, "quads"), 0, most_items, "quad_mesh.quads");
+  quads.vertices = integer(member(json, "vertices"), 0, most_items, "quad_mesh.vertices");
+  quads.patches = integer(member(json, "patches"), 0, most_items, "quad_mesh.patches");
+  const Json& least = member(member(json, "scaled_jacobian"), "min");
+  if (!least.is_number()) throw Malformed("quad_mesh.scaled_jacobian.min is not a number");
+  quads.least_jacobian = least.get<double>();
+  return quads;
+}
 
 Report read_report(const std::string& folder)
 {
@@ -116,6 +134,7 @@ Report read_report(const std::string& folder)
   for (const Json& s : array(member(json, "singularities"), "singularities"))
     report.orders.push_back(integer(member(s, "order"), -3, most_items, "the order of a singularity"));
   std::sort(report.orders.begin(), report.orders.end());
+  if (json.contains("quad_mesh")) report.quads = read_quads_report(json["quad_mesh"]);
   return report;
 }
 
@@ -323,15 +342,6 @@ struct Flat_obj
   std::vector<Position> points;
 };
 
-double number(const char*& text, const std::string& what)
-{
-  char* end = nullptr;
-  const double x = std::strtod(text, &end);
-  if (end == text || !std::isfinite(x)) throw Malformed(what + " is not a finite number");
-  text = end;
-  return x;
-}
-
 // a texture coordinate, in units of 2^-exponent
 std::int64_t grid_coordinate(double x, int exponent)
 {
@@ -339,15 +349,6 @@ std::int64_t grid_coordinate(double x, int exponent)
   if (!(std::abs(scaled) <= std::ldexp(1.0, 60)) || scaled != std::floor(scaled))
     throw Malformed("a texture coordinate is not on the grid of 2^-" + std::to_string(exponent));
   return static_cast<std::int64_t>(scaled);
-}
-
-std::size_t index(const char*& text, std::size_t size)
-{
-  char* end = nullptr;
-  const unsigned long long i = std::strtoull(text, &end, 10);
-  if (end == text || i < 1 || i > size) throw Malformed("a face refers to what is not there");
-  text = end;
-  return static_cast<std::size_t>(i - 1);
 }
 
 // Glues triangles that share two vertices in opposite directions; returns whether every edge found exactly one partner.
@@ -370,31 +371,21 @@ bool glue(std::vector<Flat_triangle>& triangles)
 
 Flat_obj read_flat_obj(const std::string& folder, int grid_exponent)
 {
-  std::ifstream in(folder + "/flat.obj");
-  if (!in) throw Malformed("the file cannot be opened");
+  const internal::Obj_file file = internal::read_obj(folder + "/flat.obj");
   Flat_obj obj;
   obj.flat.grid_exponent = grid_exponent;
   obj.flat.is_embedded = true;
+  for (const Point_3& p : file.points) obj.points.push_back({p.x(), p.y(), p.z()});
   std::vector<Point> texture;
-  for (std::string line; std::getline(in, line); ) {
-    const char* text = line.c_str() + std::min<std::size_t>(2, line.size());
-    if (line.compare(0, 2, "v ") == 0) {
-      Position p;
-      for (double& x : p) x = number(text, "a coordinate");
-      obj.points.push_back(p);
-    } else if (line.compare(0, 3, "vt ") == 0) {
-      Point z{};
-      for (std::int64_t* x : {&z.x, &z.y}) *x = grid_coordinate(number(++text, "a texture coordinate"), grid_exponent);
-      texture.push_back(z);
-    } else if (line.compare(0, 2, "f ") == 0) {
-      Flat_triangle f{};
-      for (int k = 0; k < 3; ++k) {
-        f.vertex[k] = static_cast<std::int64_t>(index(text, obj.points.size()));
-        if (*text != '/') throw Malformed("a corner of a face has no texture vertex");
-        f.point[k] = texture[index(++text, texture.size())];
-      }
-      if (std::strspn(text, " \r") != std::strlen(text)) throw Malformed("a face is not a triangle");
-      obj.flat.triangles.push_back(f);
+  for (const auto& [u, v] : file.texture)
+    texture.push_back({grid_coordinate(u, grid_exponent), grid_coordinate(v, grid_exponent)});
+  for (const internal::Obj_file::Element& face : file.faces) {
+    if (face.vertices.size() != 3) throw Malformed("a face is not a triangle");
+    if (face.texture.size() != 3) throw Malformed("a corner of a face has no texture vertex");
+    Flat_triangle& f = obj.flat.triangles.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      f.vertex[k] = static_cast<std::int64_t>(face.vertices[k]);
+      f.point[k] = texture[face.texture[k]];
     }
   }
   if (obj.flat.triangles.empty()) throw Malformed("there is no triangle");
@@ -476,18 +467,19 @@ struct Patch
   std::array<std::vector<Side_piece>, 4> sides;
 };
 
+// the places of a list's items by their "id"
+using Ids = std::map<std::int64_t, std::size_t>;
+
 struct Tmesh
 {
   int                grid_exponent = 0;
   std::vector<Node>  nodes;
   std::vector<Arc>   arcs;
   std::vector<Patch> patches;
+  Ids                patch_ids;
 };
 
 const std::int64_t largest_integer = std::numeric_limits<std::int64_t>::max();
-
-// the places of a list's items by their "id"
-using Ids = std::map<std::int64_t, std::size_t>;
 
 Ids read_ids(const Json& items, const std::string& what)
 {
@@ -561,7 +553,7 @@ Tmesh read_tmesh(const std::string& folder, bool is_embedded)
   for (const Json& n : nodes) t.nodes.push_back(read_node(n, is_embedded));
   for (const Json& a : arcs) t.arcs.push_back(read_arc(a, node_ids, is_embedded));
   const Json& patches = array(member(json, "patches"), "patches");
-  read_ids(patches, "a patch");
+  t.patch_ids = read_ids(patches, "a patch");
   for (const Json& p : patches) t.patches.push_back(read_patch(p, arc_ids));
   return t;
 }
@@ -656,6 +648,201 @@ void verify_tmesh(Tmesh t, const Flat_facts& flat, const Report& report, Checks&
                     "tmesh: polylines end at their nodes"});
 }
 
+// ---- quads.obj
+
+struct Quad
+{
+  std::array<std::size_t, 4> vertex;
+  std::int64_t               patch;
+
+  std::size_t next(int k) const { return vertex[(k + 1) % 4]; }
+};
+
+struct Quads_obj
+{
+  std::vector<Position> points;
+  std::vector<Quad>     quads;
+};
+
+std::int64_t patch_of(const std::string& group)
+{
+  const std::string begin = "patch_";
+  if (group.empty()) throw Malformed("a quad is not in a group");
+  const std::string digits = group.substr(std::min(begin.size(), group.size()));
+  if (group.compare(0, begin.size(), begin) != 0 || digits.empty() || digits.size() > 10
+      || digits.find_first_not_of("0123456789") != std::string::npos)
+    throw Malformed("a group does not have the name of a patch");
+  return std::stoll(digits);
+}
+
+Quads_obj read_quads_obj(const std::string& folder)
+{
+  const internal::Obj_file file = internal::read_obj(folder + "/quads.obj");
+  if (!file.lines.empty() || !file.texture.empty())
+    throw Malformed("a line is neither a vertex, nor a group, nor a quad");
+  Quads_obj obj;
+  for (const Point_3& p : file.points) obj.points.push_back({p.x(), p.y(), p.z()});
+  for (const internal::Obj_file::Element& face : file.faces) {
+    if (face.vertices.size() != 4) throw Malformed("a face is not a quad");
+    Quad quad{{}, patch_of(face.group)};
+    std::copy(face.vertices.begin(), face.vertices.end(), quad.vertex.begin());
+    obj.quads.push_back(quad);
+  }
+  if (obj.quads.empty()) throw Malformed("there is no quad");
+  return obj;
+}
+
+// Its edges, by their ends in the direction in which the quad runs: the quad, and the vertex before.
+struct Quad_edge { std::size_t quad, before; };
+using Quad_edges = std::map<std::pair<std::size_t, std::size_t>, Quad_edge>;
+
+// nothing if two quads run along an edge in the same direction, or one of them on one side only
+std::optional<Quad_edges> closed_edges(const std::vector<Quad>& quads)
+{
+  Quad_edges edges;
+  for (std::size_t f = 0; f < quads.size(); ++f)
+    for (int k = 0; k < 4; ++k)
+      if (!edges.insert({{quads[f].vertex[k], quads[f].next(k)}, {f, quads[f].vertex[(k + 3) % 4]}}).second) return {};
+  for (const auto& [ends, edge] : edges)
+    if (edges.count({ends.second, ends.first}) == 0) return {};
+  return edges;
+}
+
+bool is_connected(const std::vector<Quad>& quads, const Quad_edges& edges)
+{
+  std::vector<char> seen(quads.size(), false);
+  std::vector<std::size_t> stack{0};
+  seen[0] = true;
+  while (!stack.empty()) {
+    const Quad& quad = quads[stack.back()];
+    stack.pop_back();
+    for (int k = 0; k < 4; ++k) {
+      const std::size_t neighbour = edges.at({quad.next(k), quad.vertex[k]}).quad;
+      if (!seen[neighbour]) stack.push_back(neighbour);
+      seen[neighbour] = true;
+    }
+  }
+  return std::find(seen.begin(), seen.end(), false) == seen.end();
+}
+
+// the number of quads on the circle round the beginning of an edge
+std::size_t circle(const Quad_edges& edges, const std::pair<std::size_t, std::size_t>& edge)
+{
+  std::size_t n = 0, to = edge.second;
+  do {
+    to = edges.at({edge.first, to}).before;
+    ++n;
+  } while (to != edge.second);
+  return n;
+}
+
+// The quads of a patch are listed row by row, from left to right: do they fit in rows of this width?
+bool is_grid(const std::vector<Quad>& patch, std::size_t width)
+{
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    const auto& [a, b, c, d] = patch[i].vertex;
+    if ((i + 1) % width != 0 && (patch[i + 1].vertex[0] != b || patch[i + 1].vertex[3] != c)) return false;
+    if (i + width < patch.size() && (patch[i + width].vertex[0] != d || patch[i + width].vertex[1] != c)) return false;
+  }
+  return true;
+}
+
+bool is_grid(const std::vector<Quad>& patch)
+{
+  for (std::size_t width = 1; width <= patch.size(); ++width)
+    if (patch.size() % width == 0 && is_grid(patch, width)) return true;
+  return false;
+}
+
+
+// The least sine of its angles, seen along the cross product of its diagonals; 0 where that or a side vanishes.
+double scaled_jacobian(const Quads_obj& obj, const Quad& quad)
+{
+  const auto point = [&](int k) { return point_3(obj.points[quad.vertex[k % 4]]); };
+  const Vector_3 normal = CGAL::cross_product(point(2) - point(0), point(3) - point(1));
+  double least = 1;
+  for (int k = 0; k < 4; ++k) {
+    const Vector_3 right = point(k + 1) - point(k), left = point(k + 3) - point(k);
+    const double volume = CGAL::scalar_product(CGAL::cross_product(right, left), normal);
+    const double size = std::sqrt(right.squared_length()) * std::sqrt(left.squared_length())
+                      * std::sqrt(normal.squared_length());
+    least = std::min(least, size > 0 ? volume / size : 0);
+  }
+  return least;
+}
+
+void verify_quad_shapes(const Quads_obj& obj, const Quads_report& report, const Mesh* input, Checks& checks)
+{
+  double least = 1;
+  for (const Quad& quad : obj.quads) least = std::min(least, scaled_jacobian(obj, quad));
+  checks.push_back({std::abs(least - report.least_jacobian) <= 1e-12,
+                    "quads.obj: the least scaled Jacobian is that of the report, up to "
+                    + scientific(std::abs(least - report.least_jacobian))});
+  if (input == nullptr) return;
+  const Surface_tree tree(input->faces().begin(), input->faces().end(), *input);
+  const CGAL::Bbox_3 box = tree.bbox();
+  const double size = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  double farthest = 0;
+  for (const Position& p : obj.points) farthest = std::max(farthest, std::sqrt(tree.squared_distance(point_3(p))));
+  checks.push_back({farthest <= 1e-9 * size, "quads.obj: vertices lie on the input, within "
+                                           + scientific(farthest / size) + " of its diagonal"});
+}
+
+void verify_quad_surface(const Quads_obj& obj, const Report& report, Checks& checks)
+{
+  const std::optional<Quad_edges> edges = closed_edges(obj.quads);
+  checks.push_back({edges.has_value(), "quads.obj: every edge is shared by two quads, in opposite directions, and no "
+                                       "two edges have the same ends"});
+  if (!edges) return;
+  std::vector<std::size_t> valence(obj.points.size(), 0);
+  for (const Quad& quad : obj.quads)
+    for (std::size_t v : quad.vertex) ++valence[v];
+  checks.push_back({is_connected(obj.quads, *edges), "quads.obj: one component"});
+  checks.push_back({std::all_of(edges->begin(), edges->end(), [&](const auto& edge) {
+                      return circle(*edges, edge.first) == valence[edge.first.first];
+                    }), "quads.obj: the quads round every vertex form one circle"});
+  // every edge is on two quads: E = 2F
+  const std::int64_t chi = static_cast<std::int64_t>(obj.points.size()) - static_cast<std::int64_t>(obj.quads.size());
+  checks.push_back({chi == 2 - 2 * report.genus, "quads.obj: Euler characteristic " + std::to_string(chi) + " = 2-2g"});
+  std::vector<std::int64_t> orders;
+  for (std::size_t n : valence)
+    if (n != 4) orders.push_back(static_cast<std::int64_t>(n) - 4);
+  std::sort(orders.begin(), orders.end());
+  checks.push_back({orders == report.orders, "quads.obj: " + std::to_string(orders.size())
+                                           + " irregular vertices are exactly the singularities"});
+}
+
+void verify_quad_patches(const Quads_obj& obj, const Quads_report& report, const Ids& patch_ids, Checks& checks)
+{
+  std::map<std::int64_t, std::vector<Quad>> patches;
+  for (const Quad& quad : obj.quads) patches[quad.patch].push_back(quad);
+  const auto all = [&](auto holds) { return std::all_of(patches.begin(), patches.end(), holds); };
+  checks.push_back({all([&](const auto& patch) { return patch_ids.count(patch.first) == 1; }),
+                    "quads.obj: groups are patches of the T-mesh"});
+  checks.push_back({static_cast<std::int64_t>(patches.size()) == report.patches,
+                    "quads.obj: " + std::to_string(patches.size()) + " patches have quads, as many as in the report"});
+  checks.push_back({all([](const auto& patch) { return is_grid(patch.second); }),
+                    "quads.obj: the quads of every patch are a regular grid"});
+}
+
+void verify_quads(const Quads_obj& obj, const Report& report, const Ids& patch_ids, const Mesh* input, Checks& checks)
+{
+  checks.push_back({report.quads.has_value(), "quads.obj: the report says that there are quads"});
+  if (!report.quads) return;
+  checks.push_back({static_cast<std::int64_t>(obj.quads.size()) == report.quads->quads
+                    && static_cast<std::int64_t>(obj.points.size()) == report.quads->vertices,
+                    "quads.obj: " + std::to_string(obj.quads.size()) + " quads, " + std::to_string(obj.points.size())
+                    + " vertices, as in the report"});
+  checks.push_back({std::all_of(obj.quads.begin(), obj.quads.end(), [](const Quad& quad) {
+                      std::array<std::size_t, 4> v = quad.vertex;
+                      std::sort(v.begin(), v.end());
+                      return std::adjacent_find(v.begin(), v.end()) == v.end();
+                    }), "quads.obj: no quad has a vertex twice"});
+  verify_quad_surface(obj, report, checks);
+  verify_quad_patches(obj, *report.quads, patch_ids, checks);
+  verify_quad_shapes(obj, *report.quads, input, checks);
+}
+
 } // namespace
 
 std::vector<Verification> verify_outputs(const std::string& folder, const Intrinsic_triangulation* input)
@@ -668,17 +855,23 @@ std::vector<Verification> verify_outputs(const std::string& folder, const Intrin
     file = "flat_intrinsic.json";
     const Flat_facts facts = verify_flat("flat_intrinsic", read_flat(folder), report, checks);
     file = "flat.obj";
-    const bool on_input = input != nullptr && input->is_embedded();
-    if (on_input || (facts.is_embedded && std::ifstream(folder + "/" + file)))
-      verify_flat_obj(read_flat_obj(folder, facts.grid_exponent), facts, report, on_input ? &input->mesh() : nullptr,
-                      checks);
+    const Mesh* mesh = input != nullptr && input->is_embedded() ? &input->mesh() : nullptr;
+    if (mesh != nullptr || (facts.is_embedded && std::ifstream(folder + "/" + file)))
+      verify_flat_obj(read_flat_obj(folder, facts.grid_exponent), facts, report, mesh, checks);
     file = "tmesh.json";
-    if (report.orders.empty() && !std::ifstream(folder + "/" + file))
+    Ids patch_ids;
+    if (report.orders.empty() && !std::ifstream(folder + "/" + file)) {
       checks.push_back({true, "tmesh: none, there is no singularity"});
-    else
-      verify_tmesh(read_tmesh(folder, facts.is_embedded), facts, report, checks);
+    } else {
+      const Tmesh t = read_tmesh(folder, facts.is_embedded);
+      patch_ids = t.patch_ids;
+      verify_tmesh(t, facts, report, checks);
+    }
+    file = "quads.obj";
+    if (report.quads || std::ifstream(folder + "/" + file))
+      verify_quads(read_quads_obj(folder), report, patch_ids, mesh, checks);
   }
-  catch (const Malformed& e) { checks.push_back({false, file + ": " + e.what()}); }
+  catch (const Error& e) { checks.push_back({false, file + ": " + e.what()}); }
   return checks;
 }
 

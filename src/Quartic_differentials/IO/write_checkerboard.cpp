@@ -4,39 +4,31 @@
 
 #include <CGAL/Quartic_differentials/IO/write_checkerboard.h>
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
-
-#include <png.h>
+#include <CGAL/Quartic_differentials/internal/checkerboard.h>
+#include <CGAL/Quartic_differentials/internal/write_png.h>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace CGAL {
 namespace Quartic_differentials {
 
 namespace {
 
-int squares_per_unit(const Quartic_differential& q)
+double area(const Quartic_differential& q)
 {
-  const double area = std::ldexp(static_cast<double>(q.doubled_area()), -2 * q.grid_exponent - 1);
-  const double n = std::sqrt(2500 / area);
-  return 2 * static_cast<int>(std::clamp(std::round(n / 2), 4.0, 128.0));
+  return std::ldexp(static_cast<double>(q.doubled_area()), -2 * q.grid_exponent - 1);
 }
 
-void write_png(const std::string& path, int squares)
+// one unit of the charts, the first row on top
+internal::Image checkerboard(int squares)
 {
   const int pixels = std::max(4, 1024 / squares), side = squares * pixels;
-  std::vector<png_byte> grey(static_cast<std::size_t>(side) * side);
+  internal::Image image = internal::blank_image(side, side, 1, 90);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x)
-      grey[static_cast<std::size_t>(y) * side + x] = (x / pixels + y / pixels) % 2 == 0 ? 235 : 90;
-
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = image.height = static_cast<png_uint_32>(side);
-  image.format = PNG_FORMAT_GRAY;
-  if (!png_image_write_to_file(&image, path.c_str(), 0, grey.data(), 0, nullptr))
-    throw Error("cannot write " + path + ": " + image.message);
+      if (internal::is_light_square(x / pixels, squares - 1 - y / pixels)) image.at(x, y, 0) = 235;
+  return image;
 }
 
 } // namespace
@@ -47,7 +39,9 @@ void write_checkerboard(const std::string& folder, const std::string& name, cons
   internal::write_file(folder + "/" + name + ".mtl", [&](std::ostream& out) {
     out << "newmtl checkerboard\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << texture << '\n';
   });
-  write_png(folder + "/" + texture, squares_per_unit(q));
+  internal::write_file(folder + "/" + texture, [&](std::ostream& out) {
+    internal::write_png(out, checkerboard(internal::checkerboard_squares_per_unit(area(q))));
+  });
 }
 
 } } // namespace CGAL::Quartic_differentials

@@ -5,6 +5,7 @@
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
 #include <CGAL/Quartic_differentials/internal/patch_pieces.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
+#include <CGAL/Quartic_differentials/internal/t_mesh_nodes.h>
 
 #include <algorithm>
 #include <array>
@@ -24,16 +25,6 @@ namespace {
 using internal::Chart_point;
 using internal::Patch_piece;
 
-const char* name(T_mesh::Node_kind kind)
-{
-  switch (kind) {
-    case T_mesh::Node_kind::singularity: return "singularity";
-    case T_mesh::Node_kind::meeting:     return "meeting";
-    case T_mesh::Node_kind::t_junction:  return "t_junction";
-    default:                             return "crossing";
-  }
-}
-
 // the shortest decimal that reads back to the same double
 void write_number(std::ostream& out, double x)
 {
@@ -51,18 +42,13 @@ void write_point(std::ostream& out, const Point_3& p, char separator)
   write_number(out, p.z());
 }
 
-Point_3 position(const Quartic_differential& q, const T_mesh::Node& node)
-{
-  return internal::position(q, internal::chart_point(q, node.face, node.point));
-}
-
 // from node to node, with a point on every edge and at every vertex between
 std::vector<Point_3> polyline(const T_mesh& t, const Quartic_differential& q, const T_mesh::Arc& arc)
 {
-  std::vector<Point_3> result{position(q, t.nodes[arc.from])};
+  std::vector<Point_3> result{internal::position(q, t.nodes[arc.from])};
   for (std::size_t k = 0; k + 1 < arc.path.size(); ++k)
     result.push_back(internal::position(q, internal::exit_of(q, arc.path[k])));
-  result.push_back(position(q, t.nodes[arc.to]));
+  result.push_back(internal::position(q, t.nodes[arc.to]));
   return result;
 }
 
@@ -81,10 +67,10 @@ void write_json_nodes(std::ostream& out, const T_mesh& t, const Quartic_differen
   out << "\"nodes\":[";
   for (std::size_t n = 0; n < t.nodes.size(); ++n) {
     const T_mesh::Node& node = t.nodes[n];
-    out << comma(n) << "\n{\"id\":" << n << ",\"kind\":\"" << name(node.kind) << "\",\"order\":" << node.order;
+    out << comma(n) << "\n{\"id\":" << n << ",\"kind\":\"" << internal::name(node.kind) << "\",\"order\":" << node.order;
     if (q.triangulation.is_embedded()) {
       out << ",\"position\":";
-      write_json_point(out, position(q, node));
+      write_json_point(out, internal::position(q, node));
     }
     out << '}';
   }

@@ -15,8 +15,6 @@ namespace Quartic_differentials {
 
 namespace {
 
-using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
-
 const double pi = CGAL_PI;
 
 // A plate with holes:  f(x,y,z) = (z - b(x,y))^2 - t(x,y) D(x,y),  solid where f < 0.

@@ -20,8 +20,8 @@ struct Verification
   std::string what;
 };
 
-/// checks the files flat_intrinsic.json, flat.obj, tmesh.json and report.json of an output folder against each other and
-/// against the input, in exact integer arithmetic and without any code of the steps that made them:
+/// checks the files flat_intrinsic.json, flat.obj, tmesh.json, quads.obj and report.json of an output folder against
+/// each other and against the input, in exact integer arithmetic and without any code of the steps that made them:
 /// - the flat triangulation is a closed connected oriented surface of the genus in the report, every triangle is
 ///   positively oriented, charts differ across every edge by exactly a rotation by k*90 degrees and a translation, the
 ///   cone angles are those of the singularities in the report, and their degree is 8g - 8;
@@ -29,7 +29,12 @@ struct Verification
 ///   it must be there, have the input's vertices bit by bit, lie on it to 1e-12 of its diagonal and cover its area;
 /// - the patches of the T-mesh are exact rectangles that use every arc once in each direction, have the right Euler
 ///   characteristic and exactly the area of the flat triangulation, and every node has the arms and patch corners of its
-///   kind. Where there is no singularity tmesh.json may be missing.
+///   kind. Where there is no singularity tmesh.json may be missing;
+/// - the quads make up a closed connected oriented surface of the genus in the report, no two edges of which have the
+///   same ends; its irregular vertices are those of the singularities; quads of a patch, named in tmesh.json, are a
+///   regular grid; the numbers of quads, vertices and patches are the report's, and so is the least scaled Jacobian, to
+///   1e-12; with the input given, vertices lie on it to 1e-9 of its diagonal. quads.obj must be there if and only if
+///   the report has quads.
 ///
 /// A file that is missing, cut off or not of the right form is a check that failed, never an exception or a crash.
 /// \param input null: what the files say of the input is taken for granted

@@ -16,8 +16,6 @@ namespace CGAL {
 namespace Quartic_differentials {
 namespace internal {
 
-using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
-
 /// at least the smallest normal number, so that one can divide by it
 inline double length(const Vector_3& v)
 { return std::max(std::sqrt(v.squared_length()), std::numeric_limits<double>::min()); }
@@ -29,7 +27,7 @@ struct Quad_shape
 {
   std::array<double, 4> side;     ///< from corner k to the next one
   Vector_3              normal;   ///< that of the diagonals, a unit vector
-  std::array<double, 4> sine;     ///< of the angle at corner k, seen along the normal: the least is the scaled Jacobian
+  std::array<double, 4> sine;     ///< of the angle at corner k, seen along the normal
 
   explicit Quad_shape(const std::array<Point_3, 4>& p) : normal(unit(CGAL::cross_product(p[2] - p[0], p[3] - p[1])))
   {
@@ -42,6 +40,10 @@ struct Quad_shape
     for (int k = 0; k < 4; ++k)
       sine[k] = CGAL::scalar_product(CGAL::cross_product(direction[(k + 3) % 4], direction[k]), normal);
   }
+
+  double scaled_jacobian() const { return *std::min_element(sine.begin(), sine.end()); }
+  double edge_ratio() const
+  { return *std::max_element(side.begin(), side.end()) / *std::min_element(side.begin(), side.end()); }
 };
 
 } } } // namespace CGAL::Quartic_differentials::internal

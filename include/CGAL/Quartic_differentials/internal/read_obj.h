@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_READ_OBJ_H
+#define CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_READ_OBJ_H
+
+#include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+namespace internal {
+
+/// What the OBJ files that a run writes hold: points, texture coordinates, and faces and polylines in groups.
+struct Obj_file
+{
+  struct Element
+  {
+    std::vector<std::size_t> vertices;
+    std::vector<std::size_t> texture;   ///< by vertex, or empty
+    std::string              group;     ///< the name that was last set
+  };
+
+  std::vector<Point_3>               points;
+  std::vector<std::array<double, 2>> texture;
+  std::vector<Element>               faces, lines;
+};
+
+/// reads an OBJ file; names of materials are passed over.
+/// \throws Unusable_surface_error if the file cannot be opened, is cut off within a line, has a line of another kind, too
+///         few or too many numbers, a number that is not finite, or an index out of range
+/// Complexity: linear.
+Obj_file read_obj(const std::string& path);
+
+} } } // namespace CGAL::Quartic_differentials::internal
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_READ_OBJ_H

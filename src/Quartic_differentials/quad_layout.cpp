@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Quartic_differentials/quad_layout.h>
+
+#include <CGAL/Quartic_differentials/exceptions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+
+namespace {
+
+// Lines of edges through a quad mesh, and the regions between them.
+class Cut_quads
+{
+public:
+  explicit Cut_quads(const Mesh& m) : m_m(m), m_is_cut(m.num_edges(), false)
+  {
+    for (Halfedge h : m.halfedges())
+      if (!is_regular(m.source(h))) cut(h);
+    const Halfedge any = *m.halfedges().begin();
+    if (std::count(m_is_cut.begin(), m_is_cut.end(), true) > 0) return;
+    cut(any);
+    cut(m.next(any));
+  }
+
+  Quad_layout layout() const
+  {
+    Quad_layout result;
+    std::vector<char> is_taken(m_m.num_faces(), false);
+    std::size_t taken = 0;
+    for (Face f : m_m.faces())
+      for (Halfedge h : halfedges_around_face(m_m.halfedge(f), m_m))
+        if (!is_taken[f] && is_corner(h)) {
+          result.patches.push_back(patch(h));
+          for (Halfedge g : result.patches.back().quads) is_taken[m_m.face(g)] = true;
+          taken += result.patches.back().quads.size();
+        }
+    if (taken != m_m.number_of_faces()) throw Unusable_surface_error("the quad mesh is not connected");
+    result.interfaces = interfaces(result);
+    return result;
+  }
+
+private:
+  std::vector<Quad_layout::Interface> interfaces(const Quad_layout& layout) const
+  {
+    std::vector<Quad_layout::Side> side_of(m_m.num_halfedges());   // that end with a halfedge
+    for (std::size_t p = 0; p < layout.patches.size(); ++p)
+      for (int k = 0; k < 4; ++k) side_of[last_on_side(layout.patches[p], k)] = {p, k};
+    std::vector<Quad_layout::Interface> result;
+    for (std::size_t p = 0; p < layout.patches.size(); ++p)
+      for (int k = 0; k < 4; ++k) {
+        const Quad_layout::Side other = side_of[m_m.opposite(first_on_side(layout.patches[p], k))];
+        if (p < other.patch || (p == other.patch && k < other.side)) result.push_back({{p, k}, other});
+      }
+    return result;
+  }
+
+  bool is_regular(Vertex v) const { return m_m.degree(v) == 4; }
+  bool is_cut(Halfedge h) const { return m_is_cut[m_m.edge(h)]; }
+  // the quad is the first of its patch, and h runs along the first row
+  bool is_corner(Halfedge h) const { return is_cut(h) && is_cut(m_m.prev(h)); }
+
+  Halfedge straight_on(Halfedge h) const { return m_m.next(m_m.opposite(m_m.next(h))); }
+  Halfedge in_next_column(Halfedge h) const { return straight_on(h); }
+  Halfedge in_next_row(Halfedge h) const { return m_m.opposite(m_m.next(m_m.next(h))); }
+
+  // along a line; past an irregular vertex too, since all edges there are cut
+  void cut(Halfedge h)
+  {
+    for (; !is_cut(h); h = straight_on(h)) m_is_cut[m_m.edge(h)] = true;
+  }
+
+  Quad_layout::Patch patch(Halfedge corner) const
+  {
+    Quad_layout::Patch p{{0, 0}, {}};
+    for (Halfedge row = corner;; row = in_next_row(row)) {
+      for (Halfedge h = row;; h = in_next_column(h)) {
+        p.quads.push_back(h);
+        if (is_cut(m_m.next(h))) break;
+      }
+      ++p.size[1];
+      if (!is_cut(m_m.next(m_m.next(row)))) continue;
+      p.size[0] = p.quads.size() / p.size[1];
+      return p;
+    }
+  }
+
+  Halfedge first_on_side(const Quad_layout::Patch& p, int k) const { return on_side(p.quads[corner(p, k)], k); }
+  Halfedge last_on_side(const Quad_layout::Patch& p, int k) const { return on_side(p.quads[corner(p, k + 1)], k); }
+
+  // the quad in which side k begins
+  static std::size_t corner(const Quad_layout::Patch& p, int k)
+  {
+    const std::size_t corners[] = {0, p.size[0] - 1, p.quads.size() - 1, p.quads.size() - p.size[0]};
+    return corners[k % 4];
+  }
+
+  Halfedge on_side(Halfedge h, int k) const
+  {
+    for (int i = 0; i < k; ++i) h = m_m.next(h);
+    return h;
+  }
+
+  const Mesh&       m_m;
+  std::vector<char> m_is_cut;   // by edge
+};
+
+void require_closed_quads(const Mesh& m)
+{
+  if (m.number_of_faces() == 0) throw Unusable_surface_error("the quad mesh has no faces");
+  for (Face f : m.faces())
+    if (m.degree(f) != 4)
+      throw Unusable_surface_error("face " + std::to_string(f.idx()) + " has " + std::to_string(m.degree(f))
+                                   + " corners: a layout is made of quads");
+  for (Halfedge h : m.halfedges())
+    if (m.is_border(h))
+      throw Unusable_surface_error("the quad mesh has a boundary at vertex " + std::to_string(m.target(h).idx()));
+}
+
+} // namespace
+
+std::vector<Vertex> vertices(const Mesh& quads, const Quad_layout::Patch& patch)
+{
+  const auto [columns, rows] = patch.size;
+  std::vector<Vertex> result((columns + 1) * (rows + 1));
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const std::size_t first = j * (columns + 1) + i;
+      const Halfedge h = patch.quads[j * columns + i];
+      result[first] = quads.source(h);
+      result[first + 1] = quads.target(h);
+      result[first + columns + 2] = quads.target(quads.next(h));
+      result[first + columns + 1] = quads.source(quads.prev(h));
+    }
+  return result;
+}
+
+Quad_layout quad_layout(const Mesh& quads)
+{
+  require_closed_quads(quads);
+  return Cut_quads(quads).layout();
+}
+
+} } // namespace CGAL::Quartic_differentials
