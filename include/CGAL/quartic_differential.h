@@ -56,7 +56,8 @@ void quartic_differential(const TriangleMesh& mesh, const Quartic_differential_o
   quartic_differential(copy, start, options, visitor, result);
 }
 
-/// \overload for those who want all or nothing
+/// \overload
+/// This one returns the result, for those who want all or nothing.
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Quartic_differential_result quartic_differential(const TriangleMesh& mesh,
                                                  const Quartic_differential_options& options = {},

@@ -129,7 +129,7 @@ private:
   // Vertices stay as they are, so that all patches round them agree; the points between them move to the surface.
   Coordinates samples(const Quad_layout::Patch& patch) const
   {
-    const std::vector<Vertex> v = vertices(m_quads, patch);
+    const std::vector<Vertex> v = grid_vertices(m_quads, patch);
     const auto [n_u, n_v] = patch.size;
     Coordinates result = zero(intervals * n_u + 1, intervals * n_v + 1);
     Input_surface::Place place = m_input.nearest(m_quads.point(v[0]));

@@ -126,7 +126,7 @@ void require_closed_quads(const Mesh& m)
 
 } // namespace
 
-std::vector<Vertex> vertices(const Mesh& quads, const Quad_layout::Patch& patch)
+std::vector<Vertex> grid_vertices(const Mesh& quads, const Quad_layout::Patch& patch)
 {
   const auto [columns, rows] = patch.size;
   std::vector<Vertex> result((columns + 1) * (rows + 1));

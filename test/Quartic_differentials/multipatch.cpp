@@ -100,7 +100,7 @@ Quad_layout checked_layout(const Mesh& quads)
   for (const Quad_layout::Patch& p : layout.patches) {
     CHECK_EQUAL(p.quads.size(), p.size[0] * p.size[1]);
     for (Halfedge h : p.quads) ++patches_of[quads.face(h)];
-    const std::vector<Vertex> v = vertices(quads, p);
+    const std::vector<Vertex> v = grid_vertices(quads, p);
     const std::size_t width = p.size[0] + 1;
     for (std::size_t j = 0; j < p.size[1]; ++j)
       for (std::size_t i = 0; i < p.size[0]; ++i) {

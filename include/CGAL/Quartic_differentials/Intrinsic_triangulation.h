@@ -125,6 +125,7 @@ public:
   /// replaces the edge ij by kl: afterwards halfedge ij runs from k to l, with (kl, lj, jk) and (lk, ki, il) as faces.
   void flip(const Edge_flip& flip);
 
+  /// The vertex that was inserted into a face, and the halfedges round it.
   struct Insertion
   {
     Vertex                  vertex;

@@ -28,6 +28,7 @@ struct Mesh_singularity
   bool pinned = false;   ///< may not be moved
 };
 
+/// A divisor on a mesh of the user's.
 template <class TriangleMesh>
 using Mesh_divisor = std::vector<Mesh_singularity<TriangleMesh>>;
 

@@ -27,6 +27,7 @@ enum class Singularity_start
   pairs        ///< the least number, to which pairs of a pole and a zero are added
 };
 
+/// Which singularities `choose_singularities()` looks for, and where it starts.
 struct Singularity_choice_options
 {
   double            distortion = 0.01;   ///< E aimed at with as few singularities as possible: the least number with

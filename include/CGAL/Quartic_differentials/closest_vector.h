@@ -26,6 +26,7 @@ struct Lattice_vector
   double                    squared_distance = 0;
 };
 
+/// How many vectors `closest_vectors()` looks for, and how long.
 struct Closest_vector_options
 {
   std::size_t count         = 1;         ///< how many of the nearest integer vectors are wanted, at least 1
@@ -35,6 +36,7 @@ struct Closest_vector_options
   std::size_t max_runner_up_nodes = 10000;   ///< of the search tree for the gap, where the list does not show it
 };
 
+/// The nearest integer vectors that were found, and what is certified of them.
 struct Closest_vectors
 {
   std::vector<Lattice_vector> vectors;          ///< nearest first, equally near ones in lexicographic order

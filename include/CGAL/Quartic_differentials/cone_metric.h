@@ -25,6 +25,7 @@ namespace Quartic_differentials {
 //   lambda    derivatives of log l by the positions of the cones, carried through flips
 //   T_k       turning of the loop gamma_k, modulo 2 pi; the holonomy is exact where T_k is a multiple of pi/2
 
+/// Tolerances and limits of `cone_metric()` and `exact_cone_metric()`.
 struct Cone_metric_options
 {
   double curvature_tolerance = 0;      ///< max |K - target|, radians; 0: 1e-11 + 1e-15 V

@@ -16,6 +16,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
+/// The grid of `immersion()`.
 struct Immersion_options
 {
   /// grid units are 2^-grid_exponent times the largest coordinate, 20 <= grid_exponent <= 50;

@@ -28,6 +28,7 @@ enum class Lattice_norm
   invariant   ///< z* (Im Pi)^-1 z on C^g, which does not: it is the flat metric of the Jacobian
 };
 
+/// Norm, tolerances and limits of `legalize_divisor()`.
 struct Legalization_options
 {
   Lattice_norm norm          = Lattice_norm::movement;

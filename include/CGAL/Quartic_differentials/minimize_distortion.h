@@ -18,6 +18,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
+/// Steps and limits of `minimize_distortion()`.
 struct Distortion_options
 {
   int    iterations      = 100;

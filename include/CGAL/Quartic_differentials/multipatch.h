@@ -25,6 +25,7 @@ namespace Quartic_differentials {
 /// control points, bit by bit.
 struct Multipatch
 {
+  /// A bicubic tensor product B-spline.
   struct Patch
   {
     std::array<std::size_t, 2> spans;            ///< n_u and n_v, at least 1
@@ -59,6 +60,7 @@ std::string defect(const Multipatch& m);
 /// the control points on a side, along it
 std::vector<Point_3> control_points(const Multipatch::Patch& patch, int side);
 
+/// A point of a spline patch, and the derivatives there.
 struct Spline_point
 {
   Point_3  point;

@@ -31,6 +31,7 @@ namespace Quartic_differentials {
 /// Whether singularities are moved to where they distort areas least.
 enum class Optimize { automatic, always, never };   ///< automatic: if they were chosen, not if they were given
 
+/// The choices, tolerances and limits of all steps.
 struct Quartic_differential_options
 {
   Homology_choice      homology = Homology_choice::handle_tunnel;

@@ -21,16 +21,19 @@ namespace Quartic_differentials {
 /// last row and 3 the first column. Every side is that of exactly one interface; its two sides run against one another.
 struct Quad_layout
 {
+  /// A regular grid of quads.
   struct Patch
   {
     std::array<std::size_t, 2> size;    ///< columns and rows of quads, n_u and n_v
     std::vector<Halfedge>      quads;   ///< n_u n_v, row by row: the halfedge of each that runs along the row
   };
+  /// A side of a patch.
   struct Side
   {
     std::size_t patch;
     int         side;
   };
+  /// Two sides of patches that are one.
   struct Interface
   {
     Side first, second;
@@ -41,7 +44,7 @@ struct Quad_layout
 };
 
 /// the vertices of the quads of a patch, (n_u + 1) (n_v + 1), row by row. Complexity: linear.
-std::vector<Vertex> vertices(const Mesh& quads, const Quad_layout::Patch& patch);
+std::vector<Vertex> grid_vertices(const Mesh& quads, const Quad_layout::Patch& patch);
 
 /// cuts a quad mesh along the grid lines through its irregular vertices, all the way; this is the coarsest layout whose
 /// patches are regular and meet side to side. A mesh without irregular vertices, a torus, is cut along the two lines

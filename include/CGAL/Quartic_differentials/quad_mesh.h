@@ -67,6 +67,7 @@ std::vector<int> singularity_orders(const Quad_mesh& m, const T_mesh& t);
 /// Complexity: linear.
 Mesh surface_mesh(const Quad_mesh& m, const T_mesh& t);
 
+/// The scaled Jacobians of all quads in two numbers.
 struct Scaled_jacobian
 {
   double least, mean;   ///< over all quads

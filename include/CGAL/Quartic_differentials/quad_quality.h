@@ -18,6 +18,7 @@ namespace Quartic_differentials {
 /// What one wants to know of a quad mesh before one uses it.
 struct Quad_quality
 {
+  /// Least value, mean and greatest value.
   struct Spread { double least, mean, most; };
 
   Scaled_jacobian  scaled_jacobian;

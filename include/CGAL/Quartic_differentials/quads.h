@@ -20,6 +20,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
+/// How many quads are made of a T-mesh, and what is made of them.
 struct Quad_options
 {
   Quantization_options quantization;     ///< its `surface_units_per_unit` is taken from the quartic differential

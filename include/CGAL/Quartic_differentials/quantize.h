@@ -31,6 +31,7 @@ enum class Quantization_method
 /// "optimal", "incumbent" or "even"
 const char* name(Quantization_method method);
 
+/// How many quads are wanted, and how long `quantize()` looks for them.
 struct Quantization_options
 {
   std::size_t number_of_quads = 2000;        ///< the target
@@ -43,6 +44,7 @@ struct Quantization_options
   Quantization_method method = Quantization_method::optimal;   ///< the first that is tried
 };
 
+/// The integer lengths of the arcs of a T-mesh, and how they were found.
 struct Quantization
 {
   std::vector<int>    length;                ///< q, by arc; multiples of `block_size`

@@ -14,6 +14,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
+/// Limits of `smooth_quads()`.
 struct Smoothing_options
 {
   std::size_t sweeps = 40;        ///< at most
@@ -31,6 +32,7 @@ struct Smoothing_sweep
   std::size_t moves;         ///< of vertices
 };
 
+/// What `smooth_quads()` did, sweep by sweep.
 struct Smoothing_report
 {
   std::vector<Smoothing_sweep> history;   ///< the mesh as it was, then after every sweep; `least` never falls

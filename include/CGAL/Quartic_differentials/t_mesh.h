@@ -34,6 +34,7 @@ struct T_mesh
 {
   enum class Node_kind { singularity, meeting, t_junction, crossing };
 
+  /// A point at which arcs end.
   struct Node
   {
     Node_kind   kind;
@@ -44,17 +45,20 @@ struct T_mesh
 
     bool is_singularity() const { return kind == Node_kind::singularity; }
   };
+  /// A piece of a trace between two nodes.
   struct Arc
   {
     std::size_t                from, to;   ///< nodes
     std::int64_t               length;
     std::vector<Chart_segment> path;       ///< from `from` to `to`, without gaps
   };
+  /// An arc of a side of a patch, and its direction there.
   struct Side_piece
   {
     std::size_t arc;
     bool        forward;
   };
+  /// A rectangle.
   struct Patch
   {
     std::int64_t                           width, height;

@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
+/// Size and view of a picture.
 struct Picture_options
 {
   int                     size = 1200;       ///< pixels of the longer side
