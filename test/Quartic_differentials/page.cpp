@@ -287,7 +287,7 @@ Visit visit(const std::string& results, const std::string& options)
 void check_in_browser()
 {
   const std::string webgl = "--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader";
-  CHECK_EQUAL(folder.quartic("run chain.off -o results --quads 500 -q").status, 0);
+  CHECK_EQUAL(folder.quartic("run chain.off -o results --quads 500 --splines -q").status, 0);
 
   const bool turns = contains(contents(folder / "results" / "report.html"), "OrbitControls");   // three.js was there
   const Visit complete = visit("results", webgl);

@@ -138,6 +138,13 @@ function quadsSection() {
   const entries = [
     ["quads, vertices", `${grouped(q.quads)}, ${grouped(q.vertices)} (asked for: ${grouped(q.target)})`],
     ["scaled Jacobian", `at least ${shown(q.scaled_jacobian.min)}, ${shown(q.scaled_jacobian.mean, 4)} on average`],
+    ["angles", `${shown(q.angle_degrees.min)}° to ${shown(q.angle_degrees.max)}°, off 90° by `
+       + `${shown(q.angle_degrees.mean_deviation_from_90)}° on average`],
+    ["sides", `up to 1 : ${shown(q.edge_ratio.max)} in a quad`],
+    ["distance", `at most ${shown(q.distance_by_diagonal.quads_to_input.max)} of the diagonal from the surface, rms `
+       + shown(q.distance_by_diagonal.quads_to_input.rms)],
+    ["irregular vertices", Object.entries(q.irregular_vertices).map(([valence, n]) => `${n} of valence ${valence}`)
+       .join(", ") || "none"],
     ["integer lengths", `${q.quantization.method}` + (q.quantization.optimal ? ", proved to be the best" : "")
        + `; cost ${shown(q.quantization.cost)}, lower bound ${shown(q.quantization.lower_bound)}`]];
   if (q.smoothing) entries.push(["smoothing", `${q.smoothing.sweeps} sweeps; before, the scaled Jacobian was at least `
@@ -146,7 +153,7 @@ function quadsSection() {
   if (q.splines) {
     const s = q.splines;
     entries.push(["splines", `${s.patches} bicubic patches of ${s.spans_by_patch_side} spans a side; distance from the `
-      + `surface at most ${shown(s.distance.max)} of the diagonal, ${shown(s.distance.rms)} on average (rms)`]);
+      + `surface at most ${shown(s.distance_by_diagonal.max)} of the diagonal, rms ${shown(s.distance_by_diagonal.rms)}`]);
   }
   return section("Quad mesh", list(entries));
 }
