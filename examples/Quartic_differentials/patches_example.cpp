@@ -10,6 +10,7 @@
 #include <CGAL/quartic_differential.h>
 #include <CGAL/Quartic_differentials/patch_mesh.h>
 
+#include <cmath>
 #include <iostream>
 #include <vector>
 
@@ -26,8 +27,8 @@ int main(int argc, char** argv)
   }
   const QD::Quartic_differential_result result = QD::quartic_differential(mesh);
   const QD::T_mesh& t = *result.t_mesh;
-  const QD::Mesh cut = QD::patch_mesh(t, *result.refined);   // a CGAL::Surface_mesh
-  const auto patch = cut.property_map<QD::Face, std::size_t>("f:patch").first;
+  QD::Mesh cut = QD::patch_mesh(t, *result.refined);   // a CGAL::Surface_mesh
+  const auto patch = cut.add_property_map<QD::Face, std::size_t>("f:patch").first;   // the one that is there
 
   std::vector<std::size_t> faces(t.patches.size(), 0);
   for (QD::Face f : cut.faces()) ++faces[patch[f]];

@@ -11,16 +11,17 @@ function numbers(array) {
   return new Type(bytes.buffer);
 }
 
-// Poles are red, zeros blue, darker for higher orders, as is usual for quad meshes.
-const poleColours = ["#e0523a", "#a51d24", "#5f0f1c"], zeroColours = ["#3f8fd0", "#1f5aa6", "#14356f", "#0b1e47"];
+// The colours of the program's pictures: simple poles red, double ones orange, higher ones dark red; simple zeros blue,
+// double ones green, higher ones turquoise.
+const poleColours = ["#db2924", "#f58c1a", "#730d26"], zeroColours = ["#215ccc", "#1f9947", "#0d9ead"];
 function orderColour(order) {
-  if (order === 0) return "#888888";
+  if (order === 0) return "#8c8c8c";
   const colours = order < 0 ? poleColours : zeroColours;
   return colours[Math.min(Math.abs(order), colours.length) - 1];
 }
 const orderName = order => (order < 0 ? "−" : "+") + Math.abs(order);
 
-const loopColours = {a: "#d08c2b", b: "#17806d"};
+const loopColours = {a: "#f2991a", b: "#0a807a"};
 
 // Soft colours, as many as neighbours need to differ wherever that is possible.
 const softColours = ["#f4b9a7", "#a9cfe8", "#bfdfae", "#f3d998", "#cdbfe6", "#f2bdd6", "#a8dcd2", "#d9c6ac", "#c6d2f2",
