@@ -69,7 +69,7 @@ private:
         if (piece.forward)
           for (int i = 1; i < m_q[piece.arc]; ++i)
             place(m_grid.arc_point(piece.arc, i),
-                  m_locator.locate(p, on_side(patch, k, begin + fraction(length, i, m_q[piece.arc]))));
+                  m_locator.locate(p, patch.on_side(k, begin + fraction(length, i, m_q[piece.arc]))));
         begin += length;
       }
     }
@@ -77,17 +77,6 @@ private:
 
   static std::int64_t fraction(std::int64_t length, int i, int n)
   { return static_cast<std::int64_t>(static_cast<__int128>(length) * i / n); }
-
-  // the point at a distance from the side's first corner
-  static Grid_vector on_side(const T_mesh::Patch& patch, int k, std::int64_t s)
-  {
-    switch (k) {
-      case 0:  return {s, 0};
-      case 1:  return {patch.width, s};
-      case 2:  return {patch.width - s, patch.height};
-      default: return {0, patch.height - s};
-    }
-  }
 
   // by point of a side: its distance from the first corner; where arcs shrink to a point, the middle, or the corner
   std::vector<double> divided(const Side& side) const

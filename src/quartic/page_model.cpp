@@ -229,17 +229,6 @@ struct Use_of_arc
   std::int64_t begin;
 };
 
-// the place on a side of [0, width] x [0, height], at a distance from where it begins
-Grid_vector on_side(const T_mesh::Patch& p, int side, std::int64_t s)
-{
-  switch (side) {
-    case 0:  return {s, 0};
-    case 1:  return {p.width, s};
-    case 2:  return {p.width - s, p.height};
-    default: return {0, p.height - s};
-  }
-}
-
 // Lays the patches out side by side, beginning with the first: always across the longest arc on the rim.
 class Layout
 {
@@ -290,8 +279,8 @@ private:
   {
     const Use_of_arc &a = m_uses[arc][from], &b = m_uses[arc][to];
     const int rotation = (b.side - a.side + 2) & 3;
-    const Grid_vector begin = on_side(m_t.patches[a.patch], a.side, a.begin);
-    const Grid_vector same = on_side(m_t.patches[b.patch], b.side, b.begin + m_t.arcs[arc].length);
+    const Grid_vector begin = m_t.patches[a.patch].on_side(a.side, a.begin);
+    const Grid_vector same = m_t.patches[b.patch].on_side(b.side, b.begin + m_t.arcs[arc].length);
     return {rotation, same - rotated(begin, rotation)};
   }
 

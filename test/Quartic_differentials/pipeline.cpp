@@ -169,6 +169,39 @@ void test_flat_torus()
   CHECK(!r.t_mesh);
 }
 
+// Singularities on the user's mesh give what the same ones give on its copy; what was computed before a step fails is
+// kept.
+void test_singularities_on_mesh()
+{
+  static_assert(internal::is_face_list_graph<Mesh>::value
+                && internal::is_face_list_graph<CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>>::value
+                && !internal::is_face_list_graph<int>::value && !internal::is_face_list_graph<Point_3>::value
+                && !internal::is_face_list_graph<Intrinsic_triangulation>::value);
+  const Mesh mesh = Quartic_test::jittered_torus(40, 20, 0.3, 0.5, 2);
+  const Intrinsic_triangulation copy = intrinsic_triangulation(mesh);
+  Mesh_divisor<Mesh> divisor;
+  Divisor same;
+  for (int i = 0; i < 8; ++i) {
+    const Face f(static_cast<Mesh::size_type>(i * mesh.number_of_faces() / 9));
+    divisor.push_back({{f, {0.2, 0.3, 0.5}}, i % 2 == 0 ? -1 : 1, i == 0});
+    same.push_back({{f, {0.2, 0.3, 0.5}}, i % 2 == 0 ? -1 : 1, i == 0});
+  }
+  Visitor visitor;
+  Quartic_differential_result expected, kept;
+  quartic_differential(copy, same, {}, visitor, expected);
+  const Quartic_differential_result r = quartic_differential(mesh, {}, parameters::singularities(divisor));
+  CHECK_EQUAL(r.singularities.size(), divisor.size());
+  for (std::size_t i = 0; i < r.singularities.size(); ++i) {
+    CHECK_EQUAL(r.singularities[i].location.face, expected.singularities[i].location.face);
+    CHECK(r.singularities[i].location.barycentric == expected.singularities[i].location.barycentric);
+    CHECK_EQUAL(r.metric->moved_by[i] < 1e-9, i == 0);   // pinned
+  }
+  divisor.pop_back();
+  CHECK_THROWS(quartic_differential(mesh, {}, visitor, kept, parameters::singularities(divisor)),
+               Infeasible_divisor_error, "degree");
+  CHECK(kept.surface && (kept.surface->periods.pi - r.surface->periods.pi).norm() == 0 && !kept.legal);
+}
+
 // Any face graph will do, and gives the same up to rounding: its halfedges are numbered otherwise. Points on faces refer
 // to the user's mesh.
 void test_polyhedron()
@@ -206,6 +239,7 @@ int main()
   test_route_through_zeros();
   test_high_orders();
   test_flat_torus();
+  test_singularities_on_mesh();
   test_polyhedron();
   return Quartic_test::result();
 }

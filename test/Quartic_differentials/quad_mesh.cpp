@@ -50,12 +50,12 @@ Mesh check_quad_mesh(const Quad_mesh& m, const T_mesh& t, const std::vector<int>
       for (const T_mesh::Side_piece& s : t.patches[p].sides[k]) sides[k] += q[s.arc];
     CHECK_EQUAL(quads[p], sides[0] * sides[1]);
   }
-  const Mesh mesh = surface_mesh(m, t);
+  Mesh mesh = surface_mesh(m, t);
   CHECK(mesh.is_valid());
   CHECK(CGAL::is_closed(mesh) && CGAL::is_quad_mesh(mesh));
   CHECK_EQUAL(mesh.number_of_faces(), m.quads.size());
   CHECK_EQUAL(mesh.number_of_vertices(), m.points.size());
-  const auto order = mesh.property_map<Vertex, int>("v:singularity_order").first;
+  const auto order = mesh.add_property_map<Vertex, int>("v:singularity_order").first;   // the one that is there
   std::multiset<int> orders, expected;
   for (Vertex v : mesh.vertices()) {
     CHECK_EQUAL(static_cast<int>(mesh.degree(v)), order[v] + 4);
@@ -64,7 +64,7 @@ Mesh check_quad_mesh(const Quad_mesh& m, const T_mesh& t, const std::vector<int>
   for (const T_mesh::Node& node : t.nodes)
     if (node.order != 0) expected.insert(node.order);
   CHECK(orders == expected);
-  const auto patch = mesh.property_map<Face, std::size_t>("f:patch").first;
+  const auto patch = mesh.add_property_map<Face, std::size_t>("f:patch").first;
   for (Face f : mesh.faces()) CHECK_EQUAL(patch[f], m.patch[f]);
   return mesh;
 }

@@ -434,7 +434,7 @@ void program_refuses_what_cannot_be_drawn()
   spoilt("tmesh.json", R"({"patches": [{"id": -1, "sides": [[{"arc": 0}]]}]})", "tmesh", "a patch is out of range");
   spoilt("tmesh.json", "{\"patches\": 3}", "tmesh", "this is not JSON as a run writes it");
   spoilt("report.json", "{", "quads", "this is not JSON as a run writes it");
-  spoilt("quads.obj", "v 0 0 0\nf 1 1 1 1\n", "quads", "a quad belongs to no patch");
+  spoilt("quads.obj", "v 0 0 0\nf 1 1 1 1\n", "quads", "a quad is not in a group");
   spoilt("quads.obj", "v 0 0 0\ng patch_0\nf 1 1 1\n", "quads", "a face is not a quad");
   spoilt("quads.obj", "v 0 0 0\ng patch_0\nf 1 1 2 1\n", "quads", "a face refers to what is not there");
   spoilt("quads.obj", "v 0 0 zero\n", "quads", "a coordinate is not a finite number");

@@ -23,13 +23,12 @@ namespace Quartic_differentials {
 
 namespace internal {
 
-/// whether CGAL's graph traits know halfedges and faces of a type
+/// whether CGAL knows the faces of a type. (Its graph traits are not asked: those of other types do not compile.)
 template <class Graph, class = void>
 struct is_face_list_graph : std::false_type {};
 
 template <class Graph>
-struct is_face_list_graph<Graph, std::void_t<typename boost::graph_traits<Graph>::halfedge_descriptor,
-                                             typename boost::graph_traits<Graph>::face_descriptor>> : std::true_type {};
+struct is_face_list_graph<Graph, std::void_t<decltype(num_faces(std::declval<const Graph&>()))>> : std::true_type {};
 
 /// the halfedges h0, h1, h2 of a face: `Surface_point` refers to their sources
 template <class TriangleMesh>

@@ -63,6 +63,17 @@ struct T_mesh
   {
     std::int64_t                           width, height;
     std::array<std::vector<Side_piece>, 4> sides;   ///< counterclockwise; 0 and 2 have length width, 1 and 3 height
+
+    /// the place in [0, width] x [0, height] at a distance from where side k begins
+    Grid_vector on_side(int k, std::int64_t distance) const
+    {
+      switch (k) {
+        case 0:  return {distance, 0};
+        case 1:  return {width, distance};
+        case 2:  return {width - distance, height};
+        default: return {0, height - distance};
+      }
+    }
   };
 
   int                grid_exponent = 0;   ///< the quartic differential's plus one: coordinates are doubled

@@ -5,9 +5,8 @@
 #include "picture_scenes.h"
 
 #include <CGAL/Quartic_differentials/internal/checkerboard.h>
+#include <CGAL/Quartic_differentials/internal/diagonal.h>
 #include <CGAL/Quartic_differentials/internal/different_colours.h>
-
-#include <CGAL/Bbox_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +19,7 @@ namespace {
 
 using internal::Colour;
 using internal::Scene;
+using internal::diagonal;
 using Polyline = std::vector<Point_3>;
 
 // Colours that are told apart in print, light enough for lines on them.
@@ -53,13 +53,6 @@ Colour loop_colour(Drawn_loop::Kind kind)
     case Drawn_loop::Kind::handle: return {0.04f, 0.50f, 0.48f};
     default:                       return {0.50f, 0.30f, 0.62f};
   }
-}
-
-double diagonal(const std::vector<Point_3>& points)
-{
-  CGAL::Bbox_3 box;
-  for (const Point_3& p : points) box += p.bbox();
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
 Scene surface_scene(std::vector<Point_3> points, std::vector<Triangle> triangles)
@@ -182,9 +175,8 @@ Scene loops_scene(std::vector<Point_3> points, std::vector<Triangle> triangles, 
   Scene scene = surface_scene(std::move(points), std::move(triangles));
   scene.colours.assign(scene.triangles.size(), plain);
   const double size = diagonal(scene.points);
-  for (const Drawn_loop& loop : loops) {
+  for (const Drawn_loop& loop : loops)
     scene.lines.push_back({rounded(loop.points), loop_width * size, loop_colour(loop.kind), true});
-  }
   add_singularities(scene, singularities);
   return scene;
 }

@@ -664,31 +664,13 @@ struct Quads_obj
   std::vector<Quad>     quads;
 };
 
-std::int64_t patch_of(const std::string& group)
+Quads_obj read_quads(const std::string& folder)
 {
-  const std::string begin = "patch_";
-  if (group.empty()) throw Malformed("a quad is not in a group");
-  const std::string digits = group.substr(std::min(begin.size(), group.size()));
-  if (group.compare(0, begin.size(), begin) != 0 || digits.empty() || digits.size() > 10
-      || digits.find_first_not_of("0123456789") != std::string::npos)
-    throw Malformed("a group does not have the name of a patch");
-  return std::stoll(digits);
-}
-
-Quads_obj read_quads_obj(const std::string& folder)
-{
-  const internal::Obj_file file = internal::read_obj(folder + "/quads.obj");
-  if (!file.lines.empty() || !file.texture.empty())
-    throw Malformed("a line is neither a vertex, nor a group, nor a quad");
+  const internal::Quads_obj file = internal::read_quads_obj(folder + "/quads.obj");
   Quads_obj obj;
   for (const Point_3& p : file.points) obj.points.push_back({p.x(), p.y(), p.z()});
-  for (const internal::Obj_file::Element& face : file.faces) {
-    if (face.vertices.size() != 4) throw Malformed("a face is not a quad");
-    Quad quad{{}, patch_of(face.group)};
-    std::copy(face.vertices.begin(), face.vertices.end(), quad.vertex.begin());
-    obj.quads.push_back(quad);
-  }
-  if (obj.quads.empty()) throw Malformed("there is no quad");
+  for (std::size_t f = 0; f < file.quads.size(); ++f)
+    obj.quads.push_back({file.quads[f], static_cast<std::int64_t>(file.patch[f])});
   return obj;
 }
 
@@ -869,7 +851,7 @@ std::vector<Verification> verify_outputs(const std::string& folder, const Intrin
     }
     file = "quads.obj";
     if (report.quads || std::ifstream(folder + "/" + file))
-      verify_quads(read_quads_obj(folder), report, patch_ids, mesh, checks);
+      verify_quads(read_quads(folder), report, patch_ids, mesh, checks);
   }
   catch (const Error& e) { checks.push_back({false, file + ": " + e.what()}); }
   return checks;

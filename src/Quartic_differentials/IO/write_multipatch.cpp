@@ -18,6 +18,8 @@ namespace Quartic_differentials {
 namespace {
 
 using internal::Text_writer;
+using internal::comma;
+using internal::write_point;
 
 // Sides 0 and 1 run with their parameter, sides 2 and 3 against it.
 bool runs_with_parameter(int side) { return side < 2; }
@@ -26,11 +28,6 @@ bool runs_with_parameter(int side) { return side < 2; }
 bool is_reversed(const Multipatch::Interface& i)
 {
   return runs_with_parameter(i.first.side) == runs_with_parameter(i.second.side);
-}
-
-void write_point(Text_writer& out, const Point_3& p, char separator)
-{
-  out << p.x() << separator << p.y() << separator << p.z();
 }
 
 void write_knots(Text_writer& out, std::size_t n, char separator)
@@ -96,9 +93,6 @@ void write_xml_interface(Text_writer& out, const Multipatch::Interface& i)
 }
 
 // JSON
-
-// stands before element k of a list
-std::string_view comma(std::size_t k) { return k == 0 ? "" : ","; }
 
 void write_json_patch(Text_writer& out, const Multipatch::Patch& patch)
 {

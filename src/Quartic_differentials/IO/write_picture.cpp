@@ -41,9 +41,7 @@ Camera camera_for(const Scene& scene, const Picture_options& options)
   const Camera automatic = internal::automatic_camera(scene.points, scene.triangles);
   if (!options.direction && !options.up) return automatic;
   const Eigen::Vector3d eye = options.direction ? vector(*options.direction) : automatic.towards_eye;
-  const bool along_y = std::abs(eye.normalized().y()) > 0.9;
-  const Eigen::Vector3d usual_up = along_y ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
-  return internal::camera(eye, options.up ? vector(*options.up) : usual_up);
+  return internal::camera(eye, options.up ? vector(*options.up) : internal::usual_up(eye));
 }
 
 void write_scene(std::ostream& out, const Scene& scene, const Camera& camera, const Picture_options& options)
@@ -72,7 +70,7 @@ auto from_file(const std::string& folder, const std::string& name, Read read)
   }
 }
 
-const std::size_t most_patches = 10000000;
+using internal::most_patches;
 
 Point_3 point(const Json& p) { return {p.at(0).get<double>(), p.at(1).get<double>(), p.at(2).get<double>()}; }
 
@@ -107,32 +105,6 @@ Flat_surface read_flat_surface(const std::string& path)
   }
   if (surface.triangles.empty()) throw Unusable_surface_error("there is no triangle");
   return surface;
-}
-
-struct Quads
-{
-  std::vector<Point_3>                    points;
-  std::vector<std::array<std::size_t, 4>> quads;
-  Indices                                 patch;
-};
-
-Quads read_quads(const std::string& path)
-{
-  const Obj_file file = internal::read_obj(path);
-  Quads result{file.points, {}, {}};
-  const std::string prefix = "patch_";
-  for (const Obj_file::Element& f : file.faces) {
-    if (f.vertices.size() != 4) throw Unusable_surface_error("a face is not a quad");
-    result.quads.push_back({f.vertices[0], f.vertices[1], f.vertices[2], f.vertices[3]});
-    const char* end = f.group.c_str() + f.group.size();
-    std::size_t patch = 0;
-    const bool is_named = f.group.compare(0, prefix.size(), prefix) == 0
-                       && std::from_chars(f.group.c_str() + prefix.size(), end, patch).ptr == end;
-    if (!is_named || patch > most_patches) throw Unusable_surface_error("a quad belongs to no patch");
-    result.patch.push_back(patch);
-  }
-  if (result.quads.empty()) throw Unusable_surface_error("there is no quad");
-  return result;
 }
 
 std::vector<Drawn_loop> read_loops(const std::string& path)
@@ -258,7 +230,7 @@ Scene scene_of(const std::string& folder, Picture picture, const std::vector<Mar
                            singularities);
     }
     case Picture::quads: {
-      const Quads q = from_file(folder, "quads.obj", read_quads);
+      const internal::Quads_obj q = from_file(folder, "quads.obj", internal::read_quads_obj);
       return quads_scene(q.points, q.quads, q.patch, singularities);
     }
     default: {

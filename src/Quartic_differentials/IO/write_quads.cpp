@@ -39,7 +39,11 @@ void write_data_array(Text_writer& out, const std::string& attributes, std::size
 void write_quads_obj(std::ostream& stream, const Quad_mesh& m)
 {
   Text_writer out(stream);
-  for (const Point_3& p : m.points) out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  for (const Point_3& p : m.points) {
+    out << "v ";
+    internal::write_point(out, p, ' ');
+    out << '\n';
+  }
   for (std::size_t i = 0; i < m.quads.size(); ++i) {
     if (i == 0 || m.patch[i] != m.patch[i - 1]) out << "g patch_" << m.patch[i] << '\n';
     out << 'f';
@@ -71,9 +75,8 @@ void write_quads_vtu(std::ostream& stream, const Quad_mesh& m, const T_mesh& t)
   out << "<?xml version=\"1.0\"?>\n"
          "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
       << "<Piece NumberOfPoints=\"" << points << "\" NumberOfCells=\"" << quads << "\">\n<Points>\n";
-  write_data_array(out, "type=\"Float64\" NumberOfComponents=\"3\"", points, [&](std::size_t v) {
-    out << m.points[v].x() << ' ' << m.points[v].y() << ' ' << m.points[v].z();
-  });
+  write_data_array(out, "type=\"Float64\" NumberOfComponents=\"3\"", points,
+                   [&](std::size_t v) { internal::write_point(out, m.points[v], ' '); });
   out << "</Points>\n<PointData Scalars=\"singularity_order\">\n";
   write_data_array(out, "type=\"Int32\" Name=\"singularity_order\"", points, [&](std::size_t v) { out << order[v]; });
   out << "</PointData>\n<CellData Scalars=\"patch\">\n";

@@ -3,16 +3,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
+#include <CGAL/Quartic_differentials/internal/Text_writer.h>
 #include <CGAL/Quartic_differentials/internal/patch_pieces.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
 #include <CGAL/Quartic_differentials/internal/t_mesh_nodes.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
-#include <ostream>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -24,23 +23,9 @@ namespace {
 
 using internal::Chart_point;
 using internal::Patch_piece;
-
-// the shortest decimal that reads back to the same double
-void write_number(std::ostream& out, double x)
-{
-  char buffer[32];
-  const std::to_chars_result end = std::to_chars(buffer, buffer + sizeof buffer, x);
-  out.write(buffer, end.ptr - buffer);
-}
-
-void write_point(std::ostream& out, const Point_3& p, char separator)
-{
-  write_number(out, p.x());
-  out << separator;
-  write_number(out, p.y());
-  out << separator;
-  write_number(out, p.z());
-}
+using internal::Text_writer;
+using internal::comma;
+using internal::write_point;
 
 // from node to node, with a point on every edge and at every vertex between
 std::vector<Point_3> polyline(const T_mesh& t, const Quartic_differential& q, const T_mesh::Arc& arc)
@@ -52,17 +37,14 @@ std::vector<Point_3> polyline(const T_mesh& t, const Quartic_differential& q, co
   return result;
 }
 
-void write_json_point(std::ostream& out, const Point_3& p)
+void write_json_point(Text_writer& out, const Point_3& p)
 {
   out << '[';
   write_point(out, p, ',');
   out << ']';
 }
 
-// `comma(k)` stands before element k of a list
-const char* comma(std::size_t k) { return k == 0 ? "" : ","; }
-
-void write_json_nodes(std::ostream& out, const T_mesh& t, const Quartic_differential& q)
+void write_json_nodes(Text_writer& out, const T_mesh& t, const Quartic_differential& q)
 {
   out << "\"nodes\":[";
   for (std::size_t n = 0; n < t.nodes.size(); ++n) {
@@ -77,7 +59,7 @@ void write_json_nodes(std::ostream& out, const T_mesh& t, const Quartic_differen
   out << "\n]";
 }
 
-void write_json_arcs(std::ostream& out, const T_mesh& t, const Quartic_differential& q)
+void write_json_arcs(Text_writer& out, const T_mesh& t, const Quartic_differential& q)
 {
   out << "\"arcs\":[";
   for (std::size_t a = 0; a < t.arcs.size(); ++a) {
@@ -98,7 +80,7 @@ void write_json_arcs(std::ostream& out, const T_mesh& t, const Quartic_different
   out << "\n]";
 }
 
-void write_json_patches(std::ostream& out, const T_mesh& t)
+void write_json_patches(Text_writer& out, const T_mesh& t)
 {
   out << "\"patches\":[";
   for (std::size_t p = 0; p < t.patches.size(); ++p) {
@@ -128,7 +110,7 @@ public:
     for (const Patch_piece& piece : internal::patch_pieces(t, q)) add_polygon(piece);
   }
 
-  void write(std::ostream& out) const
+  void write(Text_writer& out) const
   {
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
         << "<Piece NumberOfPoints=\"" << m_points.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << m_lines.size()
@@ -140,12 +122,7 @@ public:
     }
     out << "</DataArray>\n</Points>\n<PointData TCoords=\"uv\">\n"
         << "<DataArray type=\"Float64\" Name=\"uv\" NumberOfComponents=\"2\" format=\"ascii\">\n";
-    for (const auto& [u, v] : m_uv) {
-      write_number(out, u);
-      out << ' ';
-      write_number(out, v);
-      out << '\n';
-    }
+    for (const auto& [u, v] : m_uv) out << u << ' ' << v << '\n';
     out << "</DataArray>\n</PointData>\n";
     write_cell_data(out);
     write_cells(out, "Lines", m_lines);
@@ -217,7 +194,7 @@ private:
     return rgb;
   }
 
-  void write_cell_data(std::ostream& out) const
+  void write_cell_data(Text_writer& out) const
   {
     out << "<CellData Scalars=\"patch\">\n<DataArray type=\"Int64\" Name=\"patch\" format=\"ascii\">\n";
     for (std::size_t a = 0; a < m_lines.size(); ++a) out << "-1\n";
@@ -234,7 +211,7 @@ private:
     out << "</DataArray>\n</CellData>\n";
   }
 
-  static void write_cells(std::ostream& out, const char* kind, const std::vector<Cell>& cells)
+  static void write_cells(Text_writer& out, const char* kind, const std::vector<Cell>& cells)
   {
     out << '<' << kind << ">\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
     for (const Cell& cell : cells)
@@ -256,8 +233,9 @@ private:
 
 } // namespace
 
-void write_t_mesh_json(std::ostream& out, const T_mesh& t, const Quartic_differential& q, const std::string& surface)
+void write_t_mesh_json(std::ostream& stream, const T_mesh& t, const Quartic_differential& q, const std::string& surface)
 {
+  Text_writer out(stream);
   out << "{\"grid_exponent\":" << t.grid_exponent << ",\n\"surface\":\"" << surface << "\",\n";
   write_json_nodes(out, t, q);
   out << ",\n";
@@ -265,12 +243,15 @@ void write_t_mesh_json(std::ostream& out, const T_mesh& t, const Quartic_differe
   out << ",\n";
   write_json_patches(out, t);
   out << "\n}\n";
+  out.finish();
 }
 
-void write_t_mesh_vtp(std::ostream& out, const T_mesh& t, const Quartic_differential& q)
+void write_t_mesh_vtp(std::ostream& stream, const T_mesh& t, const Quartic_differential& q)
 {
   internal::require_embedded(q.triangulation, "tmesh.vtp");
+  Text_writer out(stream);
   Poly_data(t, q).write(out);
+  out.finish();
 }
 
 } } // namespace CGAL::Quartic_differentials

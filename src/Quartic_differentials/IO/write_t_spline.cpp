@@ -63,8 +63,9 @@ void write_vertices(Text_writer& out, const T_mesh& t, const Quartic_differentia
   const std::vector<int> valence = valences(t);
   for (std::size_t n = 0; n < t.nodes.size(); ++n) {
     const Point_3 p = internal::position(q, t.nodes[n]);
-    out << "v " << n << ' ' << p.x() << ' ' << p.y() << ' ' << p.z() << ' ' << valence[n] << ' '
-        << internal::name(t.nodes[n].kind) << '\n';
+    out << "v " << n << ' ';
+    internal::write_point(out, p, ' ');
+    out << ' ' << valence[n] << ' ' << internal::name(t.nodes[n].kind) << '\n';
   }
 }
 

@@ -6,6 +6,7 @@
 #include <CGAL/Quartic_differentials/internal/read_obj.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -54,6 +55,19 @@ Obj_file::Element element(const char* text, const Obj_file& file, const std::str
   return e;
 }
 
+std::size_t patch_of(const std::string& group)
+{
+  const std::string begin = "patch_";
+  if (group.empty()) throw Unusable_surface_error("a quad is not in a group");
+  std::size_t patch = 0;
+  const char* const end = group.data() + group.size();
+  if (group.compare(0, begin.size(), begin) != 0
+      || std::from_chars(group.data() + begin.size(), end, patch).ptr != end || group.size() == begin.size()
+      || patch > most_patches)
+    throw Unusable_surface_error("a group does not have the name of a patch");
+  return patch;
+}
+
 } // namespace
 
 Obj_file read_obj(const std::string& path)
@@ -89,6 +103,21 @@ Obj_file read_obj(const std::string& path)
     }
   }
   return file;
+}
+
+Quads_obj read_quads_obj(const std::string& path)
+{
+  const Obj_file file = read_obj(path);
+  if (!file.lines.empty() || !file.texture.empty())
+    throw Unusable_surface_error("a line is neither a vertex, nor a group, nor a quad");
+  Quads_obj result{file.points, {}, {}};
+  for (const Obj_file::Element& face : file.faces) {
+    if (face.vertices.size() != 4) throw Unusable_surface_error("a face is not a quad");
+    result.quads.push_back({face.vertices[0], face.vertices[1], face.vertices[2], face.vertices[3]});
+    result.patch.push_back(patch_of(face.group));
+  }
+  if (result.quads.empty()) throw Unusable_surface_error("there is no quad");
+  return result;
 }
 
 } } } // namespace CGAL::Quartic_differentials::internal

@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <boost/container/static_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -148,6 +149,9 @@ private:
   int                 m_width, m_first, m_last;
   std::vector<Sample> m_samples;
 };
+
+// the centres of samples of one pixel
+using Samples = boost::container::static_vector<Eigen::Vector2d, samples_per_side * samples_per_side>;
 
 const double outside = std::numeric_limits<double>::quiet_NaN();
 
@@ -294,7 +298,7 @@ public:
   }
 
   /// the mean colour of a primitive at some samples, with the light at their middle
-  Colour colour(std::uint32_t primitive, const std::vector<Eigen::Vector2d>& samples) const
+  Colour colour(std::uint32_t primitive, const Samples& samples) const
   {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& s : samples) middle += s;
@@ -338,7 +342,7 @@ private:
     return Tube(centre, centre, radius);
   }
 
-  Colour triangle_colour(std::size_t t, const std::vector<Eigen::Vector2d>& samples,
+  Colour triangle_colour(std::size_t t, const Samples& samples,
                          const Eigen::Vector2d& middle) const
   {
     const Flat_triangle flat = triangle(t);
@@ -369,7 +373,7 @@ Colour pixel_colour(const Rows& rows, int x, int y, const Painter& painter)
   std::array<std::uint32_t, samples_per_side * samples_per_side> primitives;
   for (int j = 0; j < n * n; ++j) primitives[j] = rows.at(n * x + j % n, n * y + j / n).primitive;
   Colour sum = Colour::Zero();
-  std::vector<Eigen::Vector2d> samples;
+  Samples samples;
   for (int first = 0; first < n * n; ++first) {
     const std::uint32_t primitive = primitives[first];
     if (std::find(primitives.begin(), primitives.begin() + first, primitive) != primitives.begin() + first) continue;
@@ -463,17 +467,23 @@ Camera camera(const Vector& towards_eye, const Vector& up)
   return {right, eye.cross(right), eye};
 }
 
+Vector usual_up(const Vector& towards_eye)
+{
+  Eigen::Index largest;
+  towards_eye.cwiseAbs().maxCoeff(&largest);
+  return largest == 1 ? Vector::UnitZ() : Vector::UnitY();
+}
+
 Camera automatic_camera(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles)
 {
   Vector axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments(points, triangles)).eigenvectors().col(0);
   Eigen::Index largest;
   axis.cwiseAbs().maxCoeff(&largest);
   if (axis[largest] < 0) axis = -axis;                     // a sign that does not depend on the solver
-  const Vector up = largest == 1 ? Vector::UnitZ() : Vector::UnitY();
-  const Camera straight = camera(axis, up);
+  const Camera straight = camera(axis, usual_up(axis));
   const double degree = std::acos(-1.0) / 180;
   const Vector turned = Eigen::AngleAxisd(25 * degree, (straight.up - 0.75 * straight.right).normalized()) * axis;
-  return camera(turned, up);
+  return camera(turned, usual_up(axis));
 }
 
 Image render(const Scene& scene, const Camera& camera, int size)

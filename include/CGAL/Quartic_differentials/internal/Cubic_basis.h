@@ -13,6 +13,9 @@ namespace CGAL {
 namespace Quartic_differentials {
 namespace internal {
 
+/// knot k of a cubic spline with n spans, 0 <= k < n + 7: 0, 0, 0, 0, 1, .. n-1, n, n, n, n
+inline std::size_t knot(std::size_t k, std::size_t n) { return std::min(k < 3 ? 0 : k - 3, n); }
+
 /// The cubic B-splines with the knots 0, 0, 0, 0, 1, 2, .. n-1, n, n, n, n that do not vanish at a parameter.
 struct Cubic_basis
 {
@@ -23,14 +26,10 @@ struct Cubic_basis
   /// Source: Piegl and Tiller 1997, algorithm A2.2 and equation 2.7.
   Cubic_basis(std::size_t n, double t) : first(std::min(static_cast<std::size_t>(t), n - 1))
   {
-    const auto knot = [&](int i) {   // knot(0) begins the span of t, knot(1) ends it
-      const double k = static_cast<double>(first) + i;
-      return std::clamp(k, 0.0, static_cast<double>(n));
-    };
     for (int degree = 1; degree <= 3; ++degree) {
       std::array<double, 4> higher{}, slope{};
-      for (int r = 0; r < degree; ++r) {
-        const double left = knot(r + 1 - degree), right = knot(r + 1), share = value[r] / (right - left);
+      for (int r = 0; r < degree; ++r) {   // the span of t begins with knot first + 3
+        const double left = knot(first + 4 + r - degree, n), right = knot(first + 4 + r, n), share = value[r] / (right - left);
         higher[r] += (right - t) * share;
         higher[r + 1] += (t - left) * share;
         slope[r] -= degree * share;

@@ -7,6 +7,7 @@
 
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
 #include <CGAL/Quartic_differentials/Surface_distance.h>
+#include <CGAL/Quartic_differentials/internal/diagonal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +31,8 @@ public:
   /// in units of the diagonal of the bounding box
   Surface_distance by_diagonal(const Mesh& input) const
   {
-    const CGAL::Bbox_3 box = CGAL::bbox_3(input.points().begin(), input.points().end());
-    const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
-    return {std::sqrt(m_most) / diagonal, std::sqrt(m_sum / m_area) / diagonal};
+    const double unit = diagonal(input.points());
+    return {std::sqrt(m_most) / unit, std::sqrt(m_sum / m_area) / unit};
   }
 
 private:

@@ -55,6 +55,16 @@ private:
   std::string   m_buffer;
 };
 
+/// writes the coordinates of a point
+template <class Point>
+void write_point(Text_writer& out, const Point& p, char separator)
+{
+  out << p.x() << separator << p.y() << separator << p.z();
+}
+
+/// what stands before element k of a list
+inline std::string_view comma(std::size_t k) { return k == 0 ? "" : ","; }
+
 /// opens a file, calls `write(out)` and closes it. The file has another name until it is whole.
 /// \throws Error if the file cannot be written to its end
 template <class Write>

@@ -5,6 +5,7 @@
 #ifndef CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_BEZIER_NET_H
 #define CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_BEZIER_NET_H
 
+#include <CGAL/Quartic_differentials/internal/Cubic_basis.h>
 #include <CGAL/Quartic_differentials/multipatch.h>
 
 #include <algorithm>
@@ -15,9 +16,6 @@
 namespace CGAL {
 namespace Quartic_differentials {
 namespace internal {
-
-/// knot k of a cubic spline with n spans, 0 <= k < n + 7: 0, 0, 0, 0, 1, .. n-1, n, n, n, n
-inline std::size_t knot(std::size_t k, std::size_t n) { return std::min(k < 3 ? 0 : k - 3, n); }
 
 /// The polar form of a cubic spline with n spans on span `span`, at three arguments: the control point after inserting
 /// them as knots. Run through backwards, arguments too, the spline gives the same numbers bit by bit, also with fused

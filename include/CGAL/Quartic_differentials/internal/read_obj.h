@@ -37,6 +37,23 @@ struct Obj_file
 /// Complexity: linear.
 Obj_file read_obj(const std::string& path);
 
+/// no run numbers its patches as far as this: what is beyond is an error of the file
+const std::size_t most_patches = 10000000;
+
+/// What `quads.obj` holds.
+struct Quads_obj
+{
+  std::vector<Point_3>                    points;
+  std::vector<std::array<std::size_t, 4>> quads;
+  std::vector<std::size_t>                patch;   ///< by quad
+};
+
+/// reads `quads.obj`.
+/// \throws Unusable_surface_error as `read_obj()`, and if there is anything else than vertices and quads in groups
+///         `patch_k`, or no quad
+/// Complexity: linear.
+Quads_obj read_quads_obj(const std::string& path);
+
 } } } // namespace CGAL::Quartic_differentials::internal
 
 #endif // CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_READ_OBJ_H

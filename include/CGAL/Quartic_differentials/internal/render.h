@@ -73,17 +73,19 @@ struct Camera
 /// \pre `towards_eye` is not 0
 Camera camera(const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up);
 
+/// the y axis of space, or the z axis if the view is along y rather than along another axis
+Eigen::Vector3d usual_up(const Eigen::Vector3d& towards_eye);
+
 /// a camera for these triangles: it sees along the axis in which they extend least, turned by 25 degrees so that the
-/// shape can be read, with the y axis of space upward, or the z axis if the view is along y.
+/// shape can be read, with the usual direction upward.
 /// Complexity: linear.
 Camera automatic_camera(const std::vector<Point_3>& points, const std::vector<std::array<std::size_t, 3>>& triangles);
 
 /// draws a scene on white, as large as fits.
 ///
-/// A surface is seen from both its sides. What is nearer hides what is farther; lines and balls are pulled
-/// towards the eye, stripes by three radii, tubes by one and balls by a half, so that the surface in which they lie
-/// does not hide them. Every pixel is the mean of
-/// 4 x 4 points.
+/// A surface is seen from both its sides. What is nearer hides what is farther; lines and balls are pulled towards the
+/// eye, stripes by three radii, tubes by one and balls by a half, so that the surface in which they lie does not hide
+/// them. Every pixel is the mean of 4 x 4 points.
 /// \param size pixels of the longer side; the other is as the scene asks for
 /// \pre the scene is not empty, and `size` > 0
 /// Complexity: linear in the primitives and in the pixels they cover.
