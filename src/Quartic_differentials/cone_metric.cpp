@@ -30,6 +30,7 @@ using internal::Length_derivatives;
 using internal::scientific;
 
 const double pi = CGAL_PI;
+const double near_error = 0.1;   // of curvature, radians: from there on the Laplacian changes little
 
 double largest(const Eigen::VectorXd& x) { return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff(); }
 
@@ -81,8 +82,10 @@ void newton(Flow& flow, Laplacian_solver& laplacian, const Cone_metric_options& 
   while (m.flow.history.back() > 0.01 * m.flow.tolerance && m.flow.newton_iterations < options.newton_iterations) {
     if (!visitor.go_further()) throw Cancelled_error("stopped during the discrete Ricci flow");
     const bool polishing = m.flow.history.back() <= m.flow.tolerance;
+    const bool near = m.flow.history.back() < near_error;
     if (!polishing || !factorized) {
-      laplacian.factorize(m.triangulation, cotangent_weights(m.triangulation, m.lengths));
+      const std::vector<double> weights = cotangent_weights(m.triangulation, m.lengths);
+      near ? laplacian.update(m.triangulation, weights) : laplacian.factorize(m.triangulation, weights);
       factorized = true;
     }
     // the errors add up to zero (Gauss-Bonnet) but for rounding, which is spread evenly
@@ -217,12 +220,14 @@ Eigen::MatrixXd holonomy_jacobian(const Intrinsic_triangulation& t, const Intege
 }
 
 Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
-                                    const Divisor& divisor, const Cone_metric_options& options, Visitor& visitor)
+                                    const Divisor& divisor, const Cone_metric_options& options, Visitor& visitor,
+                                    const Laplacian_solver* factorized)
 {
   Exact_cone_metric result;
   result.divisor = divisor;
   result.moved_by.assign(divisor.size(), 0);
   Laplacian_solver laplacian;
+  if (factorized != nullptr) laplacian.set_order_of(*factorized);
   const auto first_flow = [&] {
     const internal::Timed_step step(visitor, "cone_metric");
     return flow_of(t, cochains, divisor, nullptr, laplacian, options, visitor);

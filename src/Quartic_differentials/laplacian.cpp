@@ -5,11 +5,7 @@
 #include <CGAL/Quartic_differentials/laplacian.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 
-#ifdef QUARTIC_HAS_CHOLMOD
-#include <Eigen/CholmodSupport>
-#else
-#include <Eigen/SparseCholesky>
-#endif
+#include "internal/Sparse_cholesky.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,12 +16,6 @@ namespace Quartic_differentials {
 namespace {
 
 using Sparse_matrix = Eigen::SparseMatrix<double>;
-
-#ifdef QUARTIC_HAS_CHOLMOD
-using Solver = Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Lower>;
-#else
-using Solver = Eigen::SimplicialLDLT<Sparse_matrix, Eigen::Lower>;
-#endif
 
 bool same_pattern(const Sparse_matrix& a, const Sparse_matrix& b)
 {
@@ -85,8 +75,53 @@ std::vector<double> vertex_areas(const Intrinsic_triangulation& t)
 
 struct Symmetric_factorization::Implementation
 {
-  Solver        solver;
-  Sparse_matrix matrix;
+  internal::Sparse_cholesky solver;
+  Sparse_matrix             factorized;         // lower triangle, empty before the first factorisation
+  Sparse_matrix             matrix;             // the one to solve for
+  bool                      is_near = false;    // to the factorised one, but not the same
+
+  void factorize()
+  {
+    if (!same_pattern(factorized, matrix)) solver.analyze(matrix);
+    factorized = matrix;
+    is_near = false;
+    if (!solver.factorize(factorized))
+      throw Numerical_error("a Laplacian could not be factorised: the triangulation is numerically degenerate");
+  }
+
+  // One column of A x = b by conjugate gradients with the factorisation as preconditioner M (Golub and Van Loan, Matrix
+  // Computations, section 11.5): whether a relative error of 1e-10 in the energy norm was reached in few iterations.
+  bool solve_iteratively(const Eigen::VectorXd& b, Eigen::VectorXd& x) const
+  {
+    const double squared_tolerance = 1e-20;
+    const int most = 12;
+    x = Eigen::VectorXd::Zero(b.size());
+    Eigen::VectorXd r = b, z = solver.solve(r), p = z;
+    double rz = r.dot(z);
+    const double enough = squared_tolerance * rz;
+    for (int k = 0; k < most && rz > enough; ++k) {
+      const Eigen::VectorXd ap = matrix.selfadjointView<Eigen::Lower>() * p;
+      const double alpha = rz / p.dot(ap);
+      x += alpha * p;
+      r -= alpha * ap;
+      z = solver.solve(r);
+      const double next = r.dot(z);
+      p = z + (next / rz) * p;
+      rz = next;
+    }
+    return rz <= enough;
+  }
+
+  bool solve_iteratively(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const
+  {
+    x.resize(b.rows(), b.cols());
+    Eigen::VectorXd column;
+    for (Eigen::Index k = 0; k < b.cols(); ++k) {
+      if (!solve_iteratively(Eigen::VectorXd(b.col(k)), column)) return false;
+      x.col(k) = column;
+    }
+    return true;
+  }
 };
 
 Symmetric_factorization::Symmetric_factorization() : m_implementation(std::make_unique<Implementation>()) {}
@@ -97,34 +132,48 @@ Symmetric_factorization& Symmetric_factorization::operator=(Symmetric_factorizat
 void Symmetric_factorization::factorize(const Sparse_matrix& lower)
 {
   if (lower.rows() == 0) return;   // of a surface with one vertex: there is nothing to solve for
-  Implementation& s = *m_implementation;
-  if (!same_pattern(s.matrix, lower)) s.solver.analyzePattern(lower);
-  s.matrix = lower;
-  s.solver.factorize(lower);
-  if (s.solver.info() != Eigen::Success)
-    throw Numerical_error("a Laplacian could not be factorised: the triangulation is numerically degenerate");
+  m_implementation->matrix = lower;
+  m_implementation->factorize();
+}
+
+void Symmetric_factorization::update(const Sparse_matrix& lower)
+{
+  if (lower.rows() != m_implementation->factorized.rows()) return factorize(lower);
+  m_implementation->matrix = lower;
+  m_implementation->is_near = true;
 }
 
 Eigen::MatrixXd Symmetric_factorization::solve(const Eigen::MatrixXd& right_hand_sides) const
 {
   if (right_hand_sides.size() == 0) return right_hand_sides;
-  const Eigen::MatrixXd x = m_implementation->solver.solve(right_hand_sides);
+  Implementation& s = *m_implementation;
+  Eigen::MatrixXd x;
+  if (s.is_near && !s.solve_iteratively(right_hand_sides, x)) s.factorize();
+  if (!s.is_near) x = s.solver.solve(right_hand_sides);
   if (!x.allFinite()) throw Numerical_error("a linear system has no finite solution: the triangulation is degenerate");
   return x;
 }
 
-const char* Symmetric_factorization::name()
+void Symmetric_factorization::set_order_of(const Symmetric_factorization& similar)
 {
-#ifdef QUARTIC_HAS_CHOLMOD
-  return "SuiteSparse CHOLMOD, supernodal";
-#else
-  return "Eigen SimplicialLDLT";
-#endif
+  m_implementation->solver.set_order(similar.m_implementation->solver.order());
 }
+
+const char* Symmetric_factorization::name() { return internal::Sparse_cholesky::name(); }
 
 void Laplacian_solver::factorize(const Intrinsic_triangulation& t, const std::vector<double>& weights)
 {
   m_factorization.factorize(lower_laplacian(t, weights, std::vector<double>(t.number_of_vertices(), 0.0), 1));
+}
+
+void Laplacian_solver::update(const Intrinsic_triangulation& t, const std::vector<double>& weights)
+{
+  m_factorization.update(lower_laplacian(t, weights, std::vector<double>(t.number_of_vertices(), 0.0), 1));
+}
+
+void Laplacian_solver::set_order_of(const Laplacian_solver& similar)
+{
+  m_factorization.set_order_of(similar.m_factorization);
 }
 
 Eigen::MatrixXd Laplacian_solver::solve(const Eigen::MatrixXd& b) const

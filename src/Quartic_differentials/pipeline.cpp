@@ -185,7 +185,8 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
     legalize(*map, s, options, visitor, result);
     result.image = image_of(*map, s, *result.legal);
   }
-  result.metric = exact_cone_metric(s.delaunay, s.homology.cochains, result.legal->divisor, options.cone_metric, visitor);
+  result.metric = exact_cone_metric(s.delaunay, s.homology.cochains, result.legal->divisor, options.cone_metric, visitor,
+                                    &s.laplacian);
   place_singularities(input, result);
   require_near(*result.metric);
   {

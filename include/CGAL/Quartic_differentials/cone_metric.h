@@ -9,6 +9,7 @@
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
 #include <CGAL/Quartic_differentials/Visitor.h>
 #include <CGAL/Quartic_differentials/divisor.h>
+#include <CGAL/Quartic_differentials/laplacian.h>
 
 #include <Eigen/Core>
 
@@ -106,10 +107,12 @@ struct Exact_cone_metric
 ///
 /// The first metric is only as good as the linear theory; two or three steps reach rounding. (METHOD, step 6: past the
 /// paper, which accepts 0.1 to 0.3 degrees.) Always returns: see `reached`.
+/// \param factorized the factorised Laplacian of `t`, whose order of elimination is used again, or null
 /// \throws Infeasible_divisor_error if singularities run into each other
 /// Complexity: a warm-started flow and 2g back-substitutions a step.
 Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
-                                    const Divisor& divisor, const Cone_metric_options& options, Visitor& visitor);
+                                    const Divisor& divisor, const Cone_metric_options& options, Visitor& visitor,
+                                    const Laplacian_solver* factorized = nullptr);
 
 /// the derivative of the turning numbers of `metric` by the positions of the cones, two columns (x, y in the unfolded
 /// frame of its face of `t`) a singularity; zero where a cone sits at a vertex of `t` or is pinned.

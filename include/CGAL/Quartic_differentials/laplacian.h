@@ -24,7 +24,8 @@ std::vector<double> cotangent_weights(const Intrinsic_triangulation& t, const st
 std::vector<double> vertex_areas(const Intrinsic_triangulation& t);
 
 /// A factorised symmetric positive definite matrix: CHOLMOD's supernodal Cholesky factorisation where the package was
-/// built with it, otherwise Eigen's. The symbolic part is kept while the sparsity pattern does not change.
+/// built with it, otherwise Eigen's. The symbolic part is kept while the sparsity pattern does not change, and the order
+/// of elimination of the first pattern serves the later ones, which differ by a few flipped edges or inserted vertices.
 class Symmetric_factorization
 {
 public:
@@ -37,8 +38,13 @@ public:
   /// \throws Numerical_error if the matrix is not positive definite
   /// Complexity: that of a sparse Cholesky factorisation.
   void factorize(const Eigen::SparseMatrix<double>& lower);
-  /// one back-substitution a column
+  /// takes a matrix near the one that was factorised: systems are solved by conjugate gradients, preconditioned with that
+  /// factorisation, as long as this takes few iterations. If there is none of as many rows, it factorises.
+  void update(const Eigen::SparseMatrix<double>& lower);
+  /// one back-substitution a column, several after an update
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) const;
+  /// takes over the order of elimination of a similar matrix: of the same rows but for some at the end
+  void set_order_of(const Symmetric_factorization& similar);
 
   /// the name of the library behind it
   static const char* name();
@@ -54,9 +60,13 @@ class Laplacian_solver
 public:
   /// \throws Numerical_error if L is not positive definite on functions that vanish at the first vertex
   void factorize(const Intrinsic_triangulation& t, const std::vector<double>& weights);
+  /// the same for a Laplacian near the one that was factorised, most often without another factorisation
+  void update(const Intrinsic_triangulation& t, const std::vector<double>& weights);
   /// solves L x = b for every column b, with x = 0 at the first vertex.
   /// \pre every column sums to zero (otherwise the first equation does not hold)
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+  /// takes over the order of elimination from the solver of a triangulation with the same vertices but for some at the end
+  void set_order_of(const Laplacian_solver& similar);
 
 private:
   Symmetric_factorization m_factorization;

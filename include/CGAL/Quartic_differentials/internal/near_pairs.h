@@ -28,12 +28,13 @@ void visit_near_pairs(const Intrinsic_triangulation& t, const std::vector<Surfac
   for (std::size_t i = 0; i < points.size(); ++i) by_face.emplace_back(points[i].face, i);
   std::sort(by_face.begin(), by_face.end());
   for (std::size_t i = 0; i < points.size(); ++i)
-    explore_geodesic_disk(t, points[i], radius, [&](Face f, const std::array<std::complex<double>, 3>& corner,
-                                                    std::complex<double> right, std::complex<double> left) {
+    explore_geodesic_disk(t, points[i], radius, [&](const Unfolded_face& unfolded, std::complex<double> right,
+                                                    std::complex<double> left) {
+      const Face f = t.face(unfolded.halfedge);
       for (auto at = std::lower_bound(by_face.begin(), by_face.end(), std::make_pair(f, std::size_t(0)));
            at != by_face.end() && at->first == f; ++at) {
         if (at->second == i) continue;
-        const std::complex<double> way = point_in_frame(corner, points[at->second].barycentric);
+        const std::complex<double> way = point_in_frame(unfolded.corners(t), points[at->second].barycentric);
         if (right != left && (cross(right, way) < 0 || cross(way, left) < 0)) continue;   // not in sight
         if (std::abs(way) <= radius) visit(i, at->second, way);
       }

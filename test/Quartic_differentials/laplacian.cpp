@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The Laplacian is solved to rounding however the solver came to it: factorised anew, with the order of elimination of
+// another triangulation, or near one that was factorised.
+
+#include "check.h"
+#include "named_surfaces.h"
+
+#include <CGAL/Quartic_differentials/delaunay_flips.h>
+#include <CGAL/Quartic_differentials/laplacian.h>
+#include <CGAL/Quartic_differentials/sample_surfaces.h>
+
+#include <random>
+
+using namespace CGAL::Quartic_differentials;
+
+namespace {
+
+using Weights = std::vector<double>;
+
+// two right-hand sides that sum to zero
+Eigen::MatrixXd right_hand_sides(std::size_t n, std::mt19937& random)
+{
+  Eigen::MatrixXd b(n, 2);
+  for (Eigen::Index k = 0; k < b.size(); ++k) b(k) = Quartic_test::uniform(random, -1, 1);
+  return b.rowwise() - b.colwise().mean();
+}
+
+// max |L x - b|
+double residual(const Intrinsic_triangulation& t, const Weights& w, const Eigen::MatrixXd& x, const Eigen::MatrixXd& b)
+{
+  Eigen::MatrixXd r = -b;
+  for (Edge e : t.edges()) {
+    const auto i = t.source(t.halfedge(e)).idx(), j = t.target(t.halfedge(e)).idx();
+    const Eigen::RowVectorXd flux = w[e] * (x.row(i) - x.row(j));
+    r.row(i) += flux;
+    r.row(j) -= flux;
+  }
+  return r.cwiseAbs().maxCoeff();
+}
+
+// weights multiplied by random numbers between 1/factor and factor
+Weights disturbed(Weights w, double factor, std::mt19937& random)
+{
+  for (double& x : w) x = (0.1 + std::abs(x)) * std::pow(factor, Quartic_test::uniform(random, -1, 1));
+  return w;
+}
+
+// The solutions after `factorize()` and `update()` have small residuals, and differ little.
+void near_and_far(const Intrinsic_triangulation& t, std::mt19937& random)
+{
+  const Weights base = disturbed(cotangent_weights(t, t.lengths()), 1, random);
+  const Eigen::MatrixXd b = right_hand_sides(t.number_of_vertices(), random);
+  Laplacian_solver solver;
+  solver.factorize(t, base);
+  CHECK_NEAR(residual(t, base, solver.solve(b), b), 0, 1e-10);
+  for (double factor : {1.0, 1.001, 1.1, 100.0}) {   // the last is beyond conjugate gradients
+    const Weights w = disturbed(base, factor, random);
+    solver.update(t, w);
+    const Eigen::MatrixXd x = solver.solve(b);
+    CHECK_NEAR(residual(t, w, x, b), 0, 1e-8);
+    Laplacian_solver fresh;
+    fresh.factorize(t, w);
+    CHECK_NEAR((fresh.solve(b) - x).norm(), 0, 1e-8 * x.norm());
+  }
+}
+
+// Flips and new vertices after the order of elimination was found.
+void other_patterns(Intrinsic_triangulation t, std::mt19937& random)
+{
+  Laplacian_solver first, solver;
+  first.factorize(t, cotangent_weights(t, t.lengths()));
+  solver.set_order_of(first);
+  for (int round = 0; round < 3; ++round) {
+    for (int k = 0; k < 5; ++k) t.insert({Face(static_cast<Mesh::size_type>(random() % t.number_of_faces())), {0.2, 0.3, 0.5}});
+    make_delaunay(t);
+    const Weights w = cotangent_weights(t, t.lengths());
+    const Eigen::MatrixXd b = right_hand_sides(t.number_of_vertices(), random);
+    round == 1 ? solver.update(t, w) : solver.factorize(t, w);     // of another number of rows: it factorises
+    CHECK_NEAR(residual(t, w, solver.solve(b), b), 0, 1e-9);
+  }
+}
+
+// The order of a triangulation that only has as many vertices is of no use, and does no harm.
+void order_of_another_surface(std::mt19937& random)
+{
+  const Intrinsic_triangulation torus_a(torus(3, 1, 300, 100)), torus_b(torus(3, 1, 100, 300));
+  Laplacian_solver a, b;
+  a.factorize(torus_a, cotangent_weights(torus_a, torus_a.lengths()));
+  b.set_order_of(a);
+  const Weights w = cotangent_weights(torus_b, torus_b.lengths());
+  for (int k = 0; k < 2; ++k) b.factorize(torus_b, w);
+  const Eigen::MatrixXd rhs = right_hand_sides(torus_b.number_of_vertices(), random);
+  CHECK_NEAR(residual(torus_b, w, b.solve(rhs), rhs), 0, 1e-9);
+}
+
+void not_positive(const Intrinsic_triangulation& t)
+{
+  Weights w = cotangent_weights(t, t.lengths());
+  for (double& x : w) x = -x;
+  Laplacian_solver solver;
+  CHECK_THROWS(solver.factorize(t, w), Numerical_error, "could not be factorised");
+}
+
+} // namespace
+
+int main()
+{
+  std::mt19937 random(8);
+  for (const auto& [name, surface] : Quartic_test::sample_surfaces()) {
+    Intrinsic_triangulation t = surface;
+    make_delaunay(t);
+    near_and_far(t, random);
+    other_patterns(t, random);
+    not_positive(t);
+  }
+  near_and_far(Intrinsic_triangulation(torus(3, 1, 500, 201)), random);   // ordered by nested dissection
+  order_of_another_surface(random);
+  return Quartic_test::result();
+}
