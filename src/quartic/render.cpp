@@ -31,7 +31,8 @@ struct Render_options
 };
 
 const std::map<std::string, Picture> views{{"checkerboard", Picture::checkerboard}, {"tmesh", Picture::t_mesh},
-                                           {"quads", Picture::quads}, {"loops", Picture::loops}};
+                                           {"quads", Picture::quads}, {"wireframe", Picture::wireframe},
+                                           {"loops", Picture::loops}};
 
 // Those of all views for which the folder has files; it is said of the others what they lack.
 std::vector<Picture> possible_pictures(const std::string& folder)
@@ -81,8 +82,8 @@ void add_render(CLI::App& app)
   command->add_option("-o,--output", options->target, "Folder for the pictures, made if it is not there (DIR)");
   command->add_option("--view", options->view,
                       "What to draw: 'checkerboard', the charts; 'tmesh', the rectangles; 'quads', the quad mesh; "
-                      "'loops', tunnel loops amber and handle loops teal; 'all', those for which there are results")
-         ->check(CLI::IsMember({"checkerboard", "tmesh", "quads", "loops", "all"}))->capture_default_str();
+                      "'wireframe', the refined triangles; 'loops', tunnel loops amber and handle loops teal; 'all', those for which there are results")
+         ->check(CLI::IsMember({"checkerboard", "tmesh", "quads", "wireframe", "loops", "all"}))->capture_default_str();
   command->add_option("--size", options->picture.size, "Pixels of the longer side")
          ->check(CLI::Range(16, 10000))->capture_default_str();
   command->add_option("--direction", options->direction,

@@ -383,7 +383,7 @@ void program_draws_results()
   const Outcome o = folder.quartic("render results --size 300");
   CHECK_EQUAL(o.status, 0);
   CHECK(!contains(o.out, "no picture"));
-  for (const char* view : {"checkerboard", "tmesh", "quads", "loops"}) {
+  for (const char* view : {"checkerboard", "tmesh", "quads", "wireframe", "loops"}) {
     const std::string name = std::string("picture_") + view + ".png";
     CHECK(contains(o.out, name));
     const Image image = picture("results/" + name);
@@ -395,6 +395,14 @@ void program_draws_results()
     CHECK(colours.size() > 500);
   }
   CHECK(contents(folder / "results/picture_tmesh.png") != contents(folder / "results/picture_quads.png"));
+  // many lines make many changes from pixel to pixel
+  const auto changes = [](const Image& image) {
+    int sum = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 1; x < image.width; ++x) sum += std::abs(pixel(image, x, y)[1] - pixel(image, x - 1, y)[1]);
+    return sum;
+  };
+  CHECK(changes(picture("results/picture_wireframe.png")) > 3 * changes(picture("results/picture_loops.png")));
 
   CHECK_EQUAL(folder.quartic("render results -o again --size 300").status, 0);
   CHECK(contents(folder / "again/picture_loops.png") == contents(folder / "results/picture_loops.png"));

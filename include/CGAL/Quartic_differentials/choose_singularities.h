@@ -38,7 +38,7 @@ struct Singularity_choice_options
   int               most_order  = 2;     ///< zeros are merged up to this order, at least 1
   double            worth      = 5e-4;   ///< a pair of singularities has to lower E by this
   int               most_singularities = 200;
-  std::size_t       coarse_vertices = 5000;    ///< larger surfaces are coarsened to that for the search
+  std::size_t       coarse_vertices = 10000;   ///< larger surfaces are coarsened to that for the search
   std::size_t       field_limit = 150;   ///< `automatic` ignores fields with more singularities
   unsigned          seed       = 0;      ///< of the field's eigenvector
   bool              pareto     = false;  ///< find the least distortion for every count, up to a quarter of the wanted one

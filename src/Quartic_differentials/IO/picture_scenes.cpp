@@ -105,6 +105,14 @@ std::size_t number_of_patches(const std::vector<std::size_t>& patch, const Neigh
   return n;
 }
 
+// a width for the edges of a mesh, of which there may be many
+double thin_width(const std::vector<Point_3>& points, const std::vector<Polyline>& edges)
+{
+  double length = 0;
+  for (const Polyline& edge : edges) length += std::sqrt(CGAL::squared_distance(edge.front(), edge.back()));
+  return std::min(edge_width * diagonal(points), 0.1 * length / static_cast<double>(edges.size()));
+}
+
 } // namespace
 
 Scene checkerboard_scene(std::vector<Point_3> points, std::vector<Triangle> triangles,
@@ -150,22 +158,34 @@ Scene quads_scene(std::vector<Point_3> points, const std::vector<std::array<std:
   Neighbours neighbours;
   for (const auto& [edge, beside] : sides) neighbours.insert({beside.front(), beside.back()});
 
-  std::vector<Polyline> borders, inner;
-  double length = 0;
+  std::vector<Polyline> borders, inner, all;
   for (const auto& [edge, beside] : sides) {
-    const Point_3 &p = points[edge.first], &q = points[edge.second];
-    (beside.front() == beside.back() ? inner : borders).push_back({p, q});
-    length += std::sqrt(CGAL::squared_distance(p, q));
+    all.push_back({points[edge.first], points[edge.second]});
+    (beside.front() == beside.back() ? inner : borders).push_back(all.back());
   }
-  const double mean_length = length / static_cast<double>(sides.size());
+  const double thin = thin_width(points, all);
 
   std::vector<std::vector<std::size_t>> polygons;
   for (const auto& quad : quads) polygons.emplace_back(quad.begin(), quad.end());
   Scene scene = patches_scene(std::move(points), polygons, patch, neighbours, {}, singularities);
   for (Colour& colour : scene.colours) colour = 0.7f * colour + 0.3f;     // paler than the lines
-  const double size = diagonal(scene.points), thin = std::min(edge_width * size, 0.1 * mean_length);
   for (Polyline& edge : inner) scene.lines.push_back({std::move(edge), thin, soft_ink, false});
   for (Polyline& edge : borders) scene.lines.push_back({std::move(edge), border_width / edge_width * thin, ink, false});
+  return scene;
+}
+
+Scene wireframe_scene(std::vector<Point_3> points, std::vector<Triangle> triangles,
+                      const std::vector<Marked_point>& singularities)
+{
+  std::vector<Polyline> edges;
+  for (const Triangle& t : triangles)
+    for (int k = 0; k < 3; ++k)
+      if (t[k] < t[(k + 1) % 3]) edges.push_back({points[t[k]], points[t[(k + 1) % 3]]});   // of two triangles: once
+  Scene scene = surface_scene(std::move(points), std::move(triangles));
+  scene.colours.assign(scene.triangles.size(), plain);
+  const double thin = thin_width(scene.points, edges);
+  for (Polyline& edge : edges) scene.lines.push_back({std::move(edge), thin, soft_ink, false});
+  add_singularities(scene, singularities);
   return scene;
 }
 

@@ -48,6 +48,10 @@ internal::Scene patches_scene(std::vector<Point_3> points, const std::vector<std
 internal::Scene quads_scene(std::vector<Point_3> points, const std::vector<std::array<std::size_t, 4>>& quads,
                             const std::vector<std::size_t>& patch, const std::vector<Marked_point>& singularities);
 
+/// a closed surface with all its edges
+internal::Scene wireframe_scene(std::vector<Point_3> points, std::vector<Triangle> triangles,
+                                const std::vector<Marked_point>& singularities);
+
 internal::Scene loops_scene(std::vector<Point_3> points, std::vector<Triangle> triangles,
                             const std::vector<Drawn_loop>& loops, const std::vector<Marked_point>& singularities);
 

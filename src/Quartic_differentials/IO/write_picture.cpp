@@ -212,6 +212,7 @@ std::vector<std::string> files_of(Picture picture)
     case Picture::checkerboard: return {"flat.obj"};
     case Picture::t_mesh:       return {"tmesh.vtp", "tmesh.json"};
     case Picture::quads:        return {"quads.obj"};
+    case Picture::wireframe:    return {"flat.obj"};
     default:                    return {"loops.obj", "flat.obj"};
   }
 }
@@ -232,6 +233,10 @@ Scene scene_of(const std::string& folder, Picture picture, const std::vector<Mar
     case Picture::quads: {
       const internal::Quads_obj q = from_file(folder, "quads.obj", internal::read_quads_obj);
       return quads_scene(q.points, q.quads, q.patch, singularities);
+    }
+    case Picture::wireframe: {
+      Flat_surface s = surface();
+      return wireframe_scene(std::move(s.points), std::move(s.triangles), singularities);
     }
     default: {
       Flat_surface s = surface();
@@ -258,6 +263,7 @@ std::string picture_name(Picture picture)
     case Picture::checkerboard: return "picture_checkerboard.png";
     case Picture::t_mesh:       return "picture_tmesh.png";
     case Picture::quads:        return "picture_quads.png";
+    case Picture::wireframe:    return "picture_wireframe.png";
     default:                    return "picture_loops.png";
   }
 }

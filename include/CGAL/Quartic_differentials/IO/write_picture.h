@@ -37,6 +37,7 @@ enum class Picture
   checkerboard,   ///< the charts, `flat.obj`
   t_mesh,         ///< patches in colours that differ between neighbours, and arcs: `tmesh.vtp`, `tmesh.json`
   quads,          ///< as `write_quads_picture()`: `quads.obj`
+  wireframe,      ///< the edges of `flat.obj`
   loops           ///< tunnel loops amber, handle loops teal, their zigzag smoothed: `loops.obj`, `flat.obj`
 };
 
