@@ -5,8 +5,9 @@
 #ifndef CGAL_QUARTIC_DIFFERENTIALS_BENCHMARK_PAPER_TIMES_H
 #define CGAL_QUARTIC_DIFFERENTIALS_BENCHMARK_PAPER_TIMES_H
 
+#include "measure.h"
+
 #include <cctype>
-#include <limits>
 #include <string>
 
 /// A row of the paper's table 1, "Running time", in seconds on an Intel Core i5-8250U at 1.60 GHz; NaN: not given.
@@ -19,8 +20,6 @@ struct Paper_times
   int         genus;
   double      holomorphic_forms, zeros, legalization, ricci_flow, immersion;
 };
-
-constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 constexpr Paper_times paper_times[] = {
   {"Kitten",     10.2,  20.4, 1,  10.247, not_given, 0.002,   0.013, 0.006},

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_BENCHMARK_SUBJECT_H
+#define CGAL_QUARTIC_DIFFERENTIALS_BENCHMARK_SUBJECT_H
+
+#include <CGAL/Quartic_differentials/IO/read_surface.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/sample_surfaces.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// A surface to run on; `load` is timed as the step "read".
+struct Subject
+{
+  std::string                                                          name;
+  std::function<CGAL::Quartic_differentials::Intrinsic_triangulation()> load;
+};
+
+inline Subject from_file(const std::string& path)
+{
+  return {std::filesystem::path(path).stem().string(), [path] {
+    std::vector<std::string> notes;
+    return CGAL::Quartic_differentials::read_surface(path, notes);
+  }};
+}
+
+inline Subject chain(int genus, int resolution)
+{
+  return {"handle_chain(" + std::to_string(genus) + ", " + std::to_string(resolution) + ")", [genus, resolution] {
+    namespace QD = CGAL::Quartic_differentials;
+    return QD::Intrinsic_triangulation(QD::handle_chain(genus, resolution));
+  }};
+}
+
+inline Subject torus_of_revolution(int n, int m)
+{
+  return {"torus(2, 1, " + std::to_string(n) + ", " + std::to_string(m) + ")", [n, m] {
+    namespace QD = CGAL::Quartic_differentials;
+    return QD::Intrinsic_triangulation(QD::torus(2, 1, n, m));
+  }};
+}
+
+/// the subject with every triangle split into four, `subdivisions` times.
+inline Subject finer(const Subject& subject, int subdivisions)
+{
+  return {subject.name + ", subdivided " + std::to_string(subdivisions), [load = subject.load, subdivisions] {
+    namespace QD = CGAL::Quartic_differentials;
+    QD::Intrinsic_triangulation t = load();
+    if (subdivisions == 0) return t;
+    if (!t.is_embedded()) throw QD::Error("only surfaces in space can be subdivided here");
+    QD::Mesh mesh = t.mesh();
+    for (int i = 0; i < subdivisions; ++i) mesh = QD::subdivided(mesh);
+    return QD::Intrinsic_triangulation(std::move(mesh));
+  }};
+}
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_BENCHMARK_SUBJECT_H
