@@ -77,8 +77,10 @@ private:
   {
     if (!wanted()) return;
     std::ofstream out(m_file, std::ios::app);
-    out << "| " << what << " | " << stated << " | " << cell(limit) << unit << " | " << cell(measured) << unit << " | "
-        << (measured <= limit ? "met" : "**missed**") << ", " << fixed(measured / limit, 2) << " of it |\n";
+    out << "| " << what << " | " << stated << " | " << cell(limit) << unit << " | " << cell(measured) << unit << " | ";
+    if (std::isnan(measured)) out << "**not measured: the run failed**";
+    else out << (measured <= limit ? "met" : "**missed**") << ", " << fixed(measured / limit, 2) << " of it";
+    out << " |\n";
   }
 
   std::string m_file, m_name;

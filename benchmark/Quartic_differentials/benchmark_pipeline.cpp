@@ -25,6 +25,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,7 +42,7 @@ const std::vector<std::string> steps = {
   "holonomy", "immersion", "t_mesh"};
 const std::vector<std::string> after_t_mesh = {"quads", "splines"};
 const std::vector<std::string> sums = {"file to T-mesh", "by the clock", "steps 1-3", "floor"};
-const std::vector<std::string> others = {"steps 1-3 / floor", "peak MiB", "bytes per face"};
+const std::vector<std::string> others = {"steps 1-3 / floor", "cone_metric / floor", "peak MiB", "bytes per face"};
 
 std::vector<std::string> joined(std::initializer_list<std::vector<std::string>> lists)
 {
@@ -127,6 +128,8 @@ Run run_once(const Subject& subject, std::size_t number_of_quads)
   if (result.surface) {
     run["floor"] = floor_seconds(*result.surface);
     run["steps 1-3 / floor"] = run["steps 1-3"] / run["floor"];
+    if (const auto flow = run.find("cone_metric"); flow != run.end())
+      run["cone_metric / floor"] = flow->second / run["floor"];
   }
   if (number_of_quads > 0 && result.t_mesh && result.refined) time_quads(input, result, number_of_quads, run);
   return run;
@@ -303,6 +306,7 @@ void measure_family(const std::vector<Subject>& subjects, const Settings& settin
   for (const Subject& subject : subjects) {
     family.push_back(measured(subject, settings.number_of_runs, settings.number_of_quads));
     add_targets(family.back(), targets);
+    std::cerr << subject.name << ": " << cell(family.back().medians.at("file to T-mesh")) << " s" << std::endl;
   }
   print_growth(family);
   add_growth_targets(family, targets);
@@ -353,6 +357,7 @@ int main(int argc, char** argv)
     std::cout << "; " << variable << ": " << (value ? value : "not set");
   }
   std::cout << "; median of " << settings.number_of_runs << " runs, in seconds of the processor.\n" << std::endl;
+  if (targets.wanted()) std::cout << targets.scale() << '\n' << std::endl;
   bool all_well = true;
   for (const std::vector<Subject>& family : families)
     all_well = in_own_process(family.front().name, [&] { measure_family(family, settings, targets); }) && all_well;
