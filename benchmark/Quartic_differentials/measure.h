@@ -5,6 +5,7 @@
 #ifndef CGAL_QUARTIC_DIFFERENTIALS_BENCHMARK_MEASURE_H
 #define CGAL_QUARTIC_DIFFERENTIALS_BENCHMARK_MEASURE_H
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -82,6 +83,7 @@ inline double peak_mebibytes()
 template <class Work>
 bool in_own_process(const std::string& name, Work&& work)
 {
+  malloc_trim(0);   // what was freed here would count as the child's
   const pid_t child = fork();
   if (child == 0) {
     try {

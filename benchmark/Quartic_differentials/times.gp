@@ -11,6 +11,7 @@ set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
 set grid lc rgb "#dddddd"
+set xrange [4e3:2e6]
 set xlabel "triangles"
 set ylabel "seconds of the processor"
 set key outside right top Left reverse samplen 2 spacing 1.2
