@@ -37,8 +37,8 @@ public:
   /// one line about the factorisation by which times are scaled
   std::string scale() const
   {
-    return "One factorisation of the Laplacian of " + m_name + " takes " + fixed(m_seconds, 3) + " s of the processor here, "
-           "0.300 s on the machine for which the targets are stated.";
+    return "One factorisation of the Laplacian of " + m_name + " takes " + fixed(m_seconds, 3)
+           + " s of the processor here, 0.300 s on the machine for which the targets are stated.";
   }
   bool wanted() const { return !m_file.empty(); }
 

@@ -45,7 +45,8 @@ bool rounded_not_delaunay(double e, double a, double b, double c, double d)
 // The linker sends the library's calls of certified_not_delaunay() here (--wrap), and ours of "real" to it.
 extern "C" {
 bool __real__ZN4CGAL21Quartic_differentials22certified_not_delaunayEddddd(double, double, double, double, double);
-bool __wrap__ZN4CGAL21Quartic_differentials22certified_not_delaunayEddddd(double e, double a, double b, double c, double d)
+bool __wrap__ZN4CGAL21Quartic_differentials22certified_not_delaunayEddddd(double e, double a, double b, double c,
+                                                                           double d)
 {
   if (calls.number++ % Predicate_calls::every == 0) calls.sample.push_back({e, a, b, c, d});
   return __real__ZN4CGAL21Quartic_differentials22certified_not_delaunayEddddd(e, a, b, c, d);
@@ -116,7 +117,8 @@ void measure(const Subject& subject)
   const Answers certain = answers(made, __real__ZN4CGAL21Quartic_differentials22certified_not_delaunayEddddd);
   const Answers rounded = answers(made, rounded_not_delaunay);
 
-  std::cout << "\n| " << subject.name << ", " << input.number_of_faces() << " triangles | CPU s | share |\n|---|---:|---:|\n";
+  std::cout << "\n| " << subject.name << ", " << input.number_of_faces() << " triangles | CPU s | share |\n"
+               "|---|---:|---:|\n";
   print_row("Delaunay predicates, " + std::to_string(made.number) + " calls", certain.seconds, whole);
   print_row("beyond the same in doubles, which would flag " + std::to_string(rounded.not_delaunay) + " of "
             + std::to_string(made.sample.size()) + " edges instead of " + std::to_string(certain.not_delaunay),

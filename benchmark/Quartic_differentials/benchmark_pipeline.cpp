@@ -267,7 +267,8 @@ void add_targets(const Measured& m, const Targets& targets)
     targets.add_seconds("file to T-mesh" + at, 180, value("file to T-mesh"));
     targets.add_number("memory, file to T-mesh" + at, 6, value("peak MiB") / 1024, " GiB");
   }
-  if (m.faces > 50000) targets.add_number("forms and periods, steps 1-3 / floor" + at, 1.5, value("steps 1-3 / floor"), "");
+  if (m.faces > 50000)
+    targets.add_number("forms and periods, steps 1-3 / floor" + at, 1.5, value("steps 1-3 / floor"), "");
 }
 
 void add_growth_targets(const std::vector<Measured>& family, const Targets& targets)
