@@ -78,7 +78,7 @@ void add_info(CLI::App& app)
   auto options = std::make_shared<Info_options>();
   CLI::App* command = app.add_subcommand("info", "Tell the genus, the loops of handles and tunnels and the period "
                                                  "matrix of a mesh");
-  command->add_option("MESH", options->mesh, "Closed mesh (.off, .obj, .ply, .stl, .json)")->required();
+  command->add_option("MESH", options->mesh, "Closed mesh (.off, .obj, .ply, .stl, .vtp, .json)")->required();
   command->add_flag("--json", options->json, "Print the report as JSON");
   command->add_flag("!--no-loops", options->loops, "Take any canonical homology basis, not one of short loops");
   command->add_flag("-q,--quiet", options->quiet, "Print no progress");

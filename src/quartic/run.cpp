@@ -11,6 +11,7 @@
 #include <CGAL/Quartic_differentials/IO/read_surface.h>
 #include <CGAL/Quartic_differentials/IO/singularities.h>
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
+#include <CGAL/Quartic_differentials/IO/write_flat_surface.h>
 #include <CGAL/Quartic_differentials/IO/write_loops.h>
 #include <CGAL/Quartic_differentials/IO/write_multipatch.h>
 #include <CGAL/Quartic_differentials/IO/write_pareto.h>
@@ -21,10 +22,12 @@
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
+#include <CGAL/Quartic_differentials/patch_mesh.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -42,15 +45,16 @@ struct Run_options
 {
   std::string                  mesh, folder, singularities;
   std::string                  command_line;
-  bool                         quiet = false, intrinsic = false, html = true;
+  bool                         quiet = false, intrinsic = false, html = true, patches_obj = false;
   Quartic_differential_options pipeline;
   Quad_options                 quads;
-  std::vector<std::string>     quad_formats{"obj", "vtu"};
+  std::vector<std::string>     quad_formats{"obj", "vtu"}, surface_formats{"obj"};
 };
 
 const char* const output_files[] = {
-  "flat.obj", "flat.mtl", "flat.png", "flat_intrinsic.json", "flat_intrinsic.obj", "flat_intrinsic.mtl",
-  "flat_intrinsic.png", "tmesh.json", "tmesh.vtp", "singularities.txt", "pareto.csv", "pareto.svg", "loops.obj",
+  "flat.obj", "flat.mtl", "flat.png", "flat.ply", "flat.vtp", "flat.vtu", "flat.glb", "flat_intrinsic.json",
+  "flat_intrinsic.obj", "flat_intrinsic.mtl", "flat_intrinsic.png", "tmesh.json", "tmesh.vtp", "tmesh.obj",
+  "singularities.txt", "pareto.csv", "pareto.svg", "loops.obj",
   "quads.obj", "quads.off", "quads.ply", "quads.vtu", "quads.png", "splines.xml", "splines.json", "splines.vtu",
   "tmesh.tsp", "picture_checkerboard.png", "picture_tmesh.png", "picture_quads.png", "picture_loops.png",
   "report.json", "report.html"};
@@ -64,14 +68,31 @@ void prepare_folder(const fs::path& folder)
   for (const char* name : output_files) fs::remove(folder / name, error);
 }
 
-void write_results(const std::string& folder, const Intrinsic_triangulation& input, double wanted_distortion,
-                   bool intrinsic, const Quartic_differential_result& r)
+// flat.obj is always there, with its texture, for `quartic verify` and for scripts
+void write_flat_surface(const std::string& folder, const Refined_surface& refined,
+                        const std::vector<std::string>& formats)
 {
+  write_flat_obj(folder, "flat", refined.differential);
+  for (const std::string& format : std::set<std::string>(formats.begin(), formats.end())) {
+    if (format == "obj") continue;
+    write_file(folder + "/flat." + format, [&](std::ostream& out) {
+      if (format == "ply") write_flat_ply(out, refined, "flat.png");
+      if (format == "vtp") write_flat_vtp(out, refined);
+      if (format == "vtu") write_flat_vtu(out, refined);
+      if (format == "glb") write_flat_glb(out, refined);
+    });
+  }
+}
+
+void write_results(const Run_options& options, const Intrinsic_triangulation& input,
+                   const Quartic_differential_result& r)
+{
+  const std::string& folder = options.folder;
   if (r.choice && !r.choice->pareto.empty()) {
     const Chosen_singularities& c = *r.choice;
     write_file(folder + "/pareto.csv", [&](std::ostream& out) { write_pareto_csv(out, c.pareto); });
     write_file(folder + "/pareto.svg", [&](std::ostream& out) {
-      write_pareto_svg(out, c.pareto, static_cast<int>(c.divisor.size()), wanted_distortion);
+      write_pareto_svg(out, c.pareto, static_cast<int>(c.divisor.size()), options.pipeline.choice.distortion);
     });
   }
   if (r.surface && r.surface->loops && input.is_embedded())
@@ -80,8 +101,8 @@ void write_results(const std::string& folder, const Intrinsic_triangulation& inp
     write_file(folder + "/singularities.txt", [&](std::ostream& out) { write_singularities(out, r.singularities, input); });
   if (r.differential && r.immersion.flipped_triangles == 0) {
     write_file(folder + "/flat_intrinsic.json", [&](std::ostream& out) { write_flat_intrinsic_json(out, *r.differential); });
-    if (r.refined && r.refined->flipped_triangles == 0) write_flat_obj(folder, "flat", r.refined->differential);
-    if (intrinsic && input.is_embedded()) write_flat_obj(folder, "flat_intrinsic", *r.differential);
+    if (r.refined && r.refined->flipped_triangles == 0) write_flat_surface(folder, *r.refined, options.surface_formats);
+    if (options.intrinsic && input.is_embedded()) write_flat_obj(folder, "flat_intrinsic", *r.differential);
   }
   if (r.t_mesh) {
     write_file(folder + "/tmesh.json", [&](std::ostream& out) {
@@ -89,7 +110,16 @@ void write_results(const std::string& folder, const Intrinsic_triangulation& inp
     });
     if (input.is_embedded())
       write_file(folder + "/tmesh.vtp", [&](std::ostream& out) { write_t_mesh_vtp(out, *r.t_mesh, r.traced()); });
+    if (options.patches_obj && r.refined)
+      write_file(folder + "/tmesh.obj", [&](std::ostream& out) { write_t_mesh_obj(out, patch_mesh(*r.t_mesh, *r.refined)); });
   }
+}
+
+// whether files were asked for by name that there are not without positions in space
+bool needs_positions(const Run_options& options)
+{
+  const auto is_obj = [](const std::string& format) { return format == "obj"; };
+  return options.patches_obj || !std::all_of(options.surface_formats.begin(), options.surface_formats.end(), is_obj);
 }
 
 // quads.obj is always there, for `quartic verify` and for scripts
@@ -140,6 +170,9 @@ void run(const Run_options& options)
   facts.input = &input;
   if (options.pipeline.quads && !input.is_embedded())
     throw Unusable_surface_error("quads need positions in space, but the surface is known by its edge lengths alone");
+  if (needs_positions(options) && !input.is_embedded())
+    throw Unusable_surface_error("--surface-format and --tmesh-obj write positions in space, but the surface is known by "
+                                 "its edge lengths alone");
   prepare_folder(options.folder);
 
   Quartic_differential_result result;
@@ -156,7 +189,7 @@ void run(const Run_options& options)
   Json model;
   {
     const internal::Timed_step step(timed, "write");
-    write_results(options.folder, input, options.pipeline.choice.distortion, options.intrinsic, result);
+    write_results(options, input, result);
     if (result.quads) write_quads(options.folder, *result.quads, result, options.quad_formats);
     if (options.html) model = page_model(input, result);
   }
@@ -178,7 +211,7 @@ void add_run(CLI::App& app, const std::string& command_line)
   auto options = std::make_shared<Run_options>();
   options->command_line = command_line;
   CLI::App* command = app.add_subcommand("run", "Compute singularities, flat metric, quartic differential and T-mesh of a mesh");
-  command->add_option("MESH", options->mesh, "Closed triangle or polygon mesh (.off, .obj, .ply, .stl), or a surface of "
+  command->add_option("MESH", options->mesh, "Closed triangle or polygon mesh (.off, .obj, .ply, .stl, .vtp), or a surface of "
                                              "glued triangles (.json)")->required();
   command->add_option("-o,--output", options->folder, "Folder for the results; made if it is not there")->required();
   command->add_option("--singularities", options->singularities,
@@ -235,6 +268,11 @@ void add_run(CLI::App& app, const std::string& command_line)
                       "Compute the flat metric, its holonomy and its layout with this number of binary digits; without it "
                       "doubles are used, and 128 digits where those are not enough")
          ->check(CLI::Range(64, 1024))->type_name("BITS");
+  command->add_option("--surface-format", options->surface_formats,
+                      "Formats of the surface with its flat coordinates beside flat.obj: names separated by commas, or "
+                      "one an option; glb is glTF with the checkerboard in it, for viewers")
+         ->check(CLI::IsMember({"obj", "ply", "vtp", "vtu", "glb"}).description(""))->delimiter(',')
+         ->allow_extra_args(false)->type_name("obj|ply|vtp|vtu|glb")->capture_default_str();
   CLI::Option* number = command->add_option("--quads", options->quads.quantization.number_of_quads,
                                             "Also make a quad mesh, quads.obj, of about this number of quads")
                                ->check(CLI::Range(1, 100000000))->type_name("N");
@@ -257,6 +295,9 @@ void add_run(CLI::App& app, const std::string& command_line)
                              "Take any canonical homology basis, not one of short handle and tunnel loops");
   command->add_flag("--intrinsic", options->intrinsic,
                     "Also write flat_intrinsic.obj: the flat triangulation, drawn straight between its vertices");
+  command->add_flag("--tmesh-obj", options->patches_obj,
+                    "Also write tmesh.obj: the surface cut along the T-mesh, a group for every rectangle, with texture "
+                    "coordinates in it");
   command->add_flag("!--no-html", options->html, "Do not write report.html, the page that shows the results");
   command->add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
   command->callback([options, command] {

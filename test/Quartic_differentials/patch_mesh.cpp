@@ -9,6 +9,8 @@
 #include "named_surfaces.h"
 #include "own_input.h"
 
+#include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
+#include <CGAL/Quartic_differentials/internal/read_obj.h>
 #include <CGAL/Quartic_differentials/patch_mesh.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 
@@ -18,7 +20,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <random>
 #include <set>
@@ -206,6 +211,50 @@ void check_arcs(const Patches& p, const T_mesh& t)
   }
 }
 
+// tmesh.obj read back: it is the mesh, with a group for every patch and a path from end to end for every arc.
+void check_obj(const Patches& p, const T_mesh& t)
+{
+  const std::string path = (std::filesystem::temp_directory_path()
+                            / ("tmesh_" + std::to_string(std::random_device{}()) + ".obj")).string();
+  {
+    std::ofstream out(path);
+    write_t_mesh_obj(out, p.mesh);
+  }
+  const internal::Obj_file file = internal::read_obj(path);
+  std::filesystem::remove(path);
+  CHECK_EQUAL(file.points.size(), p.mesh.number_of_vertices());
+  for (Vertex v : p.mesh.vertices()) CHECK(file.points[v] == p.mesh.point(v));
+  CHECK_EQUAL(file.faces.size(), p.mesh.number_of_faces());
+
+  std::vector<Face> in_file(p.mesh.faces().begin(), p.mesh.faces().end());   // patch by patch, otherwise in their order
+  std::stable_sort(in_file.begin(), in_file.end(), [&](Face f, Face g) { return p.patch[f] < p.patch[g]; });
+  std::map<std::size_t, std::size_t> patch_of;                                 // by texture vertex
+  for (std::size_t i = 0; i < in_file.size(); ++i) {
+    const internal::Obj_file::Element& f = file.faces[i];
+    const std::size_t patch = p.patch[in_file[i]];
+    CHECK_EQUAL(f.group, "patch_" + std::to_string(patch));
+    std::size_t k = 0;
+    for (Halfedge h : p.mesh.halfedges_around_face(p.mesh.halfedge(in_file[i]))) {
+      CHECK_EQUAL(f.vertices.at(k), p.mesh.target(h));
+      CHECK(Point_2(file.texture[f.texture.at(k)][0], file.texture[f.texture[k]][1]) == p.texture[h]);
+      CHECK_EQUAL(patch_of.try_emplace(f.texture[k], patch).first->second, patch);   // shared in patches only
+      ++k;
+    }
+  }
+  CHECK_EQUAL(file.lines.size(), t.arcs.size());
+  for (std::size_t a = 0; a < std::min(file.lines.size(), t.arcs.size()); ++a) {
+    CHECK_EQUAL(file.lines[a].group, "arc_" + std::to_string(a));
+    CHECK_EQUAL(file.lines[a].vertices.size(), t.arcs[a].path.size() + 1);
+    std::set<Edge> edges;
+    for (std::size_t k = 0; k + 1 < file.lines[a].vertices.size(); ++k) {
+      const Vertex v(file.lines[a].vertices[k]), w(file.lines[a].vertices[k + 1]);
+      for (Halfedge h : p.mesh.halfedges_around_target(p.mesh.halfedge(w)))
+        if (p.mesh.source(h) == v && p.arc[p.mesh.edge(h)] == a) edges.insert(p.mesh.edge(h));
+    }
+    CHECK_EQUAL(edges.size(), t.arcs[a].path.size());
+  }
+}
+
 void check_patch_mesh(const Patches& p, const T_mesh& t, const Intrinsic_triangulation& input,
                       const Refined_surface& refined, bool is_resolved)
 {
@@ -213,6 +262,7 @@ void check_patch_mesh(const Patches& p, const T_mesh& t, const Intrinsic_triangu
   check_disks(p, t.patches.size());
   check_rectangles(p, t, is_resolved);
   check_arcs(p, t);
+  check_obj(p, t);
 }
 
 void sample_surface(const Quartic_test::Named_surface& named)

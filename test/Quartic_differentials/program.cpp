@@ -89,6 +89,29 @@ void check_info()
   check_failure("info missing.off", 2, "missing.off: the file does not exist");
 }
 
+void check_formats()
+{
+  const auto files = [](const std::string& options) {
+    CHECK_EQUAL(quartic("run torus.ply -o formats -q --no-html " + options).status, 0);
+    std::string there;   // nothing is left of the run before
+    for (const char* file : {"flat.obj", "flat.ply", "flat.vtp", "flat.vtu", "flat.glb", "tmesh.obj"})
+      if (fs::exists(folder / "formats" / file)) there += std::string(file) + ' ';
+    return there;
+  };
+  CHECK_EQUAL(files(""), "flat.obj ");
+  CHECK_EQUAL(files("--surface-format glb --tmesh-obj"), "flat.obj flat.glb tmesh.obj ");
+  CHECK_EQUAL(files("--surface-format ply,vtp --surface-format vtu"), "flat.obj flat.ply flat.vtp flat.vtu ");
+  CHECK_EQUAL(contents(folder / "formats" / "flat.ply").substr(0, 3), "ply");
+  // what a run writes can be read: vertices on seams, which are there more than once, become one again
+  for (const char* file : {"flat.ply", "flat.vtp"}) {
+    const Outcome o = quartic(std::string("info -q formats/") + file);
+    CHECK(contains(o.out, "genus 1") && contains(o.out, "had the same coordinates"));
+  }
+  check_failure("run torus.ply -o formats --surface-format stl", 1, "stl not in {obj,ply,vtp,vtu,glb}");
+  check_failure("run curve.json -o formats --surface-format glb", 2, "known by its edge lengths alone");
+  check_failure("run curve.json -o formats --tmesh-obj", 2, "known by its edge lengths alone");
+}
+
 void check_run()
 {
   const Outcome o = quartic("run chain.off -o results");
@@ -222,6 +245,7 @@ int main()
   check_sample();
   check_info();
   check_run();
+  check_formats();
   check_quads();
   check_choice();
   check_refused_input();

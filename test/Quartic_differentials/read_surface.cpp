@@ -4,6 +4,7 @@
 
 // Every format is read, every refusal names its reason and its place, and no broken file crashes the reader.
 
+#include "base64.h"
 #include "check.h"
 
 #include <CGAL/Quartic_differentials/IO/read_surface.h>
@@ -13,10 +14,17 @@
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using namespace CGAL::Quartic_differentials;
 namespace fs = std::filesystem;
@@ -192,13 +200,241 @@ void check_json()
     "the surface has 2 components: vertex 3");
 }
 
+// ---- VTP in all its encodings
+
+enum class Vtp_data { text, base64, appended_base64, appended_raw };
+
+struct Vtp_style
+{
+  Vtp_data    data = Vtp_data::text;
+  bool        compressed = false, big_endian = false, wide_header = false, single_precision = false, narrow_ids = false;
+  std::size_t block = 100;   // bytes of a compressed block
+};
+
+// Writes PolyData as VTK does. (VTK file formats; vtkXMLDataParser.cxx)
+class Vtp_writer
+{
+public:
+  explicit Vtp_writer(const Vtp_style& style) : m_style(style) {}
+
+  template <class Number>
+  std::string bytes(const std::vector<Number>& numbers) const
+  {
+    std::string result;
+    for (Number x : numbers) {
+      std::string one(sizeof x, '\0');
+      std::memcpy(one.data(), &x, sizeof x);
+      if (m_style.big_endian) std::reverse(one.begin(), one.end());   // of a little-endian host
+      result += one;
+    }
+    return result;
+  }
+
+  template <class Number>
+  std::string array(const char* type, const char* name, const std::vector<Number>& numbers)
+  {
+    const std::string head = "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name + "\" format=\"";
+    if (m_style.data == Vtp_data::text) {
+      std::ostringstream out;
+      out.precision(17);
+      for (Number x : numbers) out << +x << '\n';
+      return head + "ascii\">\n" + out.str() + "</DataArray>\n";
+    }
+    const std::string data = encoded(bytes(numbers));
+    if (m_style.data == Vtp_data::base64) return head + "binary\">\n  " + data + "\n</DataArray>\n";
+    const std::string offset = std::to_string(m_appended.size());
+    m_appended += data;
+    return head + "appended\" offset=\"" + offset + "\"/>\n";
+  }
+
+  std::string file(const std::string& pieces) const
+  {
+    std::string head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"";
+    head += m_style.big_endian ? "BigEndian\"" : "LittleEndian\"";
+    if (m_style.wide_header) head += " header_type=\"UInt64\"";
+    if (m_style.compressed) head += " compressor=\"vtkZLibDataCompressor\"";
+    std::string appended;
+    if (!m_appended.empty())
+      appended = std::string("<AppendedData encoding=\"") + (m_style.data == Vtp_data::appended_raw ? "raw" : "base64")
+               + "\">\n _" + m_appended + "\n</AppendedData>\n";
+    return head + ">\n<PolyData>\n" + pieces + "</PolyData>\n" + appended + "</VTKFile>\n";
+  }
+
+private:
+  std::string header(const std::vector<std::uint64_t>& items) const
+  { return m_style.wide_header ? bytes(items) : bytes(std::vector<std::uint32_t>(items.begin(), items.end())); }
+
+  // a run of base64 of its own, if it is not raw
+  std::string run(const std::string& data) const
+  { return m_style.data == Vtp_data::appended_raw ? data : base64(data.data(), data.size()); }
+
+  std::string encoded(const std::string& data) const
+  {
+    if (!m_style.compressed) return run(header({data.size()}) + data);
+    std::vector<std::uint64_t> items{(data.size() + m_style.block - 1) / m_style.block, m_style.block,
+                                     data.size() % m_style.block};
+    std::string blocks;
+    for (std::size_t begin = 0; begin < data.size(); begin += m_style.block) {
+      const std::string block = data.substr(begin, m_style.block);
+      uLongf size = compressBound(block.size());
+      std::string compressed(size, '\0');
+      compress(reinterpret_cast<Bytef*>(compressed.data()), &size, reinterpret_cast<const Bytef*>(block.data()), block.size());
+      blocks += compressed.substr(0, size);
+      items.push_back(size);
+    }
+    return run(header(items)) + run(blocks);
+  }
+
+  Vtp_style   m_style;
+  std::string m_appended;
+};
+
+using Polygons = std::vector<std::vector<int>>;
+
+std::string vtp_cells(Vtp_writer& writer, const Vtp_style& style, const char* kind, const Polygons& cells)
+{
+  std::vector<std::int64_t> connectivity, offsets;
+  for (const auto& cell : cells) {
+    connectivity.insert(connectivity.end(), cell.begin(), cell.end());
+    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+  }
+  const auto array = [&](const char* name, const std::vector<std::int64_t>& numbers) {
+    if (!style.narrow_ids) return writer.array("Int64", name, numbers);
+    return writer.array("Int32", name, std::vector<std::int32_t>(numbers.begin(), numbers.end()));
+  };
+  const std::string list = array("connectivity", connectivity);
+  return std::string("<") + kind + ">\n" + list + array("offsets", offsets) + "</" + kind + ">\n";
+}
+
+std::string vtp_piece(Vtp_writer& writer, const Vtp_style& style, const std::vector<double>& x, const Polygons& polygons,
+                      const Polygons& strips)
+{
+  const std::string points = style.single_precision
+    ? writer.array("Float32", "Points", std::vector<float>(x.begin(), x.end())) : writer.array("Float64", "Points", x);
+  const std::string polys = vtp_cells(writer, style, "Polys", polygons), lines = vtp_cells(writer, style, "Lines", {{0, 1}});
+  return "<Piece NumberOfPoints=\"" + std::to_string(x.size() / 3) + "\" NumberOfLines=\"1\" NumberOfStrips=\""
+       + std::to_string(strips.size()) + "\" NumberOfPolys=\"" + std::to_string(polygons.size()) + "\">\n<Points>\n"
+       + points + "</Points>\n" + lines + vtp_cells(writer, style, "Strips", strips) + polys + "</Piece>\n";
+}
+
+std::string vtp(const Vtp_style& style, const std::vector<double>& x, const Polygons& polygons, const Polygons& strips = {})
+{
+  Vtp_writer writer(style);
+  return writer.file(vtp_piece(writer, style, x, polygons, strips));
+}
+
+const std::vector<double> cube_points{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1 / 3.0};
+const Polygons cube_quads{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+
+std::vector<Vtp_style> all_vtp_styles()
+{
+  std::vector<Vtp_style> styles;
+  for (Vtp_data data : {Vtp_data::text, Vtp_data::base64, Vtp_data::appended_base64, Vtp_data::appended_raw})
+    for (unsigned bits = 0; bits < 32; ++bits)
+      styles.push_back({data, (bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0,
+                        bits % 3 == 0 ? std::size_t(96) : std::size_t(100)});   // 192 is two full blocks of 96
+  return styles;
+}
+
+void check_vtp()
+{
+  for (const Vtp_style& style : all_vtp_styles()) {
+    const Intrinsic_triangulation t = read("c.vtp", vtp(style, cube_points, cube_quads));
+    check_sphere(t, 8, 12);
+    for (Vertex v : t.vertices())
+      for (int k = 0; k < 3; ++k) {
+        const double x = cube_points[3 * v + k];
+        CHECK(t.mesh().point(v)[k] == (style.single_precision ? static_cast<float>(x) : x));
+      }
+    for (Face f : t.faces())   // orientations were kept
+      for (Halfedge h : t.halfedges(f)) CHECK(t.face(t.opposite(h)) != f);
+  }
+  CHECK(notes_of("c.vtp", vtp({}, cube_points, cube_quads)).find("6 faces with more than three corners") == 0);
+
+  // strips turn every other triangle round; pieces count their points from 0
+  const std::vector<double> four{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  check_sphere(read("s.vtp", vtp({}, four, {{0, 1, 3}}, {{0, 2, 1, 3}, {0, 3, 2}})), 4, 4);
+  Vtp_writer writer({});
+  const std::string pieces = vtp_piece(writer, {}, four, {{0, 2, 1}, {0, 1, 3}}, {})
+                           + vtp_piece(writer, {}, four, {{1, 2, 3}, {0, 3, 2}}, {});
+  check_sphere(read("p.vtp", writer.file(pieces)), 4, 4);
+  CHECK(notes_of("p.vtp", writer.file(pieces)).find("4 vertices had the same coordinates") == 0);
+}
+
+void check_vtp_refusals()
+{
+  const std::string text = vtp({}, cube_points, cube_quads);
+  const auto refused = [](const std::string& contents, const std::string& part) {
+    CHECK_REFUSED("b.vtp", contents, "the file is not a mesh in vtp format: " + part);
+  };
+  const auto with = [&](const std::string& what, const std::string& by) { return replaced(text, what, by); };
+  refused(text.substr(0, text.size() / 2), "this is not VTK's XML");
+  refused(tetrahedron, "this is not VTK's XML");
+  refused("<other/>", "this is not VTK's XML: there is no element VTKFile");
+  refused(with("\"PolyData\"", "\"UnstructuredGrid\""), "the data are of the type 'UnstructuredGrid'");
+  refused(with("LittleEndian", "MiddleEndian"), "the byte order 'MiddleEndian' is not known");
+  refused(with("byte_order", "compressor=\"vtkLZ4DataCompressor\" byte_order"), "the compressor 'vtkLZ4DataCompressor'");
+  refused(with("byte_order", "header_type=\"UInt16\" byte_order"), "the header type 'UInt16' is not known");
+  refused(with("format=\"ascii\"", "format=\"ebcdic\""), "the format 'ebcdic' is not known");
+  refused(with("NumberOfPoints=\"8\"", "NumberOfPoints=\"9\""), "there are 24 coordinates for 9 points");
+  refused(with("NumberOfPoints=\"8\"", "NumberOfPoints=\"6148914691236517213\""), "there are 24 coordinates for");
+  refused(with("NumberOfPoints=\"8\"", "NumberOfPoints=\"99999999999999999999\""), "something is not a finite number");
+  refused(with("NumberOfPolys=\"6\"", "NumberOfPolys=\"5\""), "there are 6 offsets for 5 cells");
+  refused(with("\n4\n8\n12", "\n4\n3\n12"), "an offset is out of range, or less than the one before");
+  refused(with("\n4\n8\n12", "\n4\n-8\n12"), "an offset is out of range");
+  refused(with("\n20\n24\n", "\n20\n25\n"), "an offset is out of range");
+  refused(with("\n20\n24\n", "\n20\n23\n"), "the offsets end before the list of corners does");
+  refused(with("\n0\n3\n2\n", "\n0\n8\n2\n"), "a point that does not exist is used by cell 0 of Polys");
+  refused(with("\n0\n3\n2\n", "\n0\n-3\n2\n"), "a point that does not exist");
+  refused(with("\n0\n3\n2\n", "\n0\n3.5\n2\n"), "something is not a finite number");
+  refused(with("<Polys>\n<DataArray type=\"Int64\" Name=\"connectivity\"", "<Polys>\n<DataArray type=\"Int64\" Name=\"a\""),
+          "a list of numbers is missing in Polys");
+  refused(with("<Points>", "<Points><DataArray/></Points><Points>"), "there are 0 coordinates for 8 points");
+  refused(with("1\n1\n1\n", "1\nnan\n1\n"), "something is not a finite number");
+  CHECK_REFUSED("b.vtp", with("NumberOfPolys=\"6\"", "NumberOfPolys=\"0\""), "the surface has no face");
+  CHECK_REFUSED("b.vtp", "<VTKFile type=\"PolyData\"/>", "the surface has no face");
+
+  const std::string inlined = vtp({Vtp_data::base64}, cube_points, cube_quads);
+  refused(replaced(inlined, "\"Float64\"", "\"Float16\""), "an array has the type 'Float16'");
+  refused(replaced(inlined, "\"Int64\" Name=\"connectivity\" format=\"binary\">\n  wAAA", 
+                   "\"Float64\" Name=\"connectivity\" format=\"binary\">\n  wAAA"), "an array has the type 'Float64'");
+  refused(replaced(inlined, "wAAA", "w*AA"), "an array holds a character that is not one of base64");
+  refused(replaced(inlined, "wAAAA", "/////"), "an array is cut off: it announces more than the file holds");
+  refused(replaced(inlined, "wAAAA", "vAAAA"), "an array does not hold whole numbers of its type");
+  const Vtp_style raw{Vtp_data::appended_raw};
+  const std::string appended = vtp(raw, cube_points, cube_quads);
+  refused(replaced(appended, "offset=\"0\"", "offset=\"9999\""), "an array begins behind the end of the appended data");
+  refused(replaced(appended, " _", "  "), "the appended data do not begin with an underscore");
+  refused(replaced(appended, "\"raw\"", "\"base85\""), "the encoding 'base85' is not known");
+  refused(appended.substr(0, appended.find(" _") + 100), "an array is cut off");
+
+  const Vtp_style zipped{Vtp_data::appended_raw, true};
+  const std::string compressed = vtp(zipped, cube_points, cube_quads);
+  const std::size_t header = compressed.find(" _") + 2;
+  const auto with_header_item = [&](int item, std::uint32_t value) {
+    std::string bad = compressed;
+    std::memcpy(bad.data() + header + 4 * item, &value, 4);
+    return bad;
+  };
+  refused(with_header_item(0, 0xffffffff), "an array is cut off");
+  refused(with_header_item(1, 0xffffffff), "a compressed array announces more than it holds");
+  refused(with_header_item(1, 99), "a compressed array is broken");
+  refused(with_header_item(2, 93), "a compressed array is broken");
+  refused(with_header_item(3, 0xffffffff), "an array is cut off");
+
+  // nested as deep as this, a parser that calls itself would need more stack than there is
+  std::string deep;
+  for (int i = 0; i < 2000000; ++i) deep += "<a>";
+  refused(deep, "this is not VTK's XML");
+}
+
 void check_refusals()
 {
   std::vector<std::string> notes;
   CHECK_THROWS(read_surface((folder.path / "missing.off").string(), notes), Unusable_surface_error, "does not exist");
   CHECK_THROWS(read_surface(folder.path.string(), notes), Unusable_surface_error, "not a regular file");
   CHECK_REFUSED("e.off", "", "the file is empty");
-  CHECK_REFUSED("t.xyz", tetrahedron, "the extension '.xyz' is not one of .off, .obj, .ply, .stl, .json");
+  CHECK_REFUSED("t.xyz", tetrahedron, "the extension '.xyz' is not one of .off, .obj, .ply, .stl, .vtp, .json");
   CHECK_REFUSED("t.off", "this is not a mesh\n", "not a mesh in off format");
   CHECK_REFUSED("t.off", "OFF\n0 0 0\n", "the surface has no face");
   CHECK_REFUSED("t.off", tetrahedron.substr(0, tetrahedron.size() - 10), "cut off");
@@ -257,6 +493,9 @@ void check_broken_files()
       check_broken_bytes("fuzzed" + std::string(extension), good);
     }
   check_broken_bytes("fuzzed.off", replaced(cube, "OFF", "COFF"));
+  for (Vtp_data data : {Vtp_data::text, Vtp_data::base64, Vtp_data::appended_base64, Vtp_data::appended_raw})
+    for (bool compressed : {false, true})
+      check_broken_bytes("fuzzed.vtp", vtp({data, compressed}, cube_points, cube_quads));
   std::ostringstream json;
   write_surface_json(json, hyperelliptic(1, 0));
   check_broken_bytes("fuzzed.json", json.str());
@@ -267,6 +506,8 @@ int main()
   check_off();
   check_other_formats();
   check_json();
+  check_vtp();
+  check_vtp_refusals();
   check_refusals();
   check_broken_files();
   return Quartic_test::result();

@@ -434,7 +434,7 @@ void program_refuses_what_cannot_be_drawn()
                     offsets = vtp.find("ascii\">", vtp.find("offsets", polygons)) + 8;
   bad_number.replace(points, 1, "x");
   bad_index.insert(polygons, "999999999 ");
-  bad_offset.insert(offsets, "99999999\n");
+  bad_offset.replace(offsets, 1, "99999999");
   spoilt("tmesh.vtp", bad_number, "tmesh", "something is not a finite number");
   spoilt("tmesh.vtp", bad_index, "tmesh", "a point that does not exist");
   spoilt("tmesh.vtp", bad_offset, "tmesh", "an offset is out of range");

@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "run_pipeline.h"
+#include "vtk_xml.h"
 
 #include <CGAL/Quartic_differentials/IO/write_quads.h>
 #include <CGAL/Quartic_differentials/quantize.h>
@@ -49,7 +50,8 @@ Example example()
   return e;
 }
 
-bool is_identical(double a, double b) { return a == b && std::signbit(a) == std::signbit(b); }
+using Quartic_test::is_identical;
+
 bool is_identical(const Point_3& p, const Point_3& q)
 { return is_identical(p.x(), q.x()) && is_identical(p.y(), q.y()) && is_identical(p.z(), q.z()); }
 
@@ -148,32 +150,6 @@ void ply(const Example& e)
   for (Face f : mesh.faces()) CHECK_EQUAL(patch[f], e.quads.patch[f]);
   const std::vector<int> expected = orders(e);
   for (Vertex v : mesh.vertices()) CHECK_EQUAL(order[v], expected[v]);
-}
-
-// the numbers of the data array with this in its tag
-std::vector<double> data_array(const std::string& file, const std::string& attribute)
-{
-  const std::size_t tag = file.find(attribute);
-  CHECK(tag != std::string::npos);
-  std::vector<double> numbers;
-  if (tag == std::string::npos) return numbers;
-  const char* text = file.c_str() + file.find('>', tag) + 1;
-  for (char* end = nullptr; ; text = end) {
-    const double x = std::strtod(text, &end);
-    if (end == text) break;
-    numbers.push_back(x);
-  }
-  CHECK_EQUAL(std::string(text, 13), "\n</DataArray>");
-  return numbers;
-}
-
-template <class Values>
-void check_data(const std::string& file, const std::string& name, const Values& values)
-{
-  const std::vector<double> read = data_array(file, "Name=\"" + name + "\"");
-  CHECK_EQUAL(read.size(), values.size());
-  for (std::size_t i = 0; i < std::min<std::size_t>(read.size(), values.size()); ++i)
-    CHECK(is_identical(read[i], static_cast<double>(values[i])));
 }
 
 void vtu(const Example& e)

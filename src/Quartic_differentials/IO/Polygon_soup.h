@@ -20,7 +20,7 @@ struct Polygon_soup
   std::vector<std::vector<std::size_t>> polygons;
 };
 
-/// parses the contents of a mesh file; `format` is off, obj, ply or stl.
+/// parses the contents of a mesh file; `format` is off, obj, ply, stl or vtp.
 /// Memory stays proportional to the contents, whatever a header announces.
 /// \throws Unusable_surface_error if the contents are not of this format
 Polygon_soup parse_polygon_soup(std::string contents, const std::string& format);

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Polygon_soup.h"
+#include "Vtk_poly_data.h"
 
 #include <CGAL/Quartic_differentials/exceptions.h>
 
@@ -92,10 +93,38 @@ void check_binary_stl(const std::string& stl)
     }
 }
 
+// Appends the triangles of a strip, every other one turned round.
+void add_strip(const std::vector<std::size_t>& strip, std::vector<std::vector<std::size_t>>& triangles)
+{
+  for (std::size_t k = 0; k + 2 < strip.size(); ++k)
+    triangles.push_back({strip[k + k % 2], strip[k + 1 - k % 2], strip[k + 2]});
+}
+
+Polygon_soup parse_vtp(const std::string& contents)
+{
+  try {
+    const Vtk_poly_data file(contents);
+    Polygon_soup soup;
+    for (std::size_t piece = 0; piece < file.number_of_pieces(); ++piece) {
+      const std::size_t first_point = soup.points.size(), first_polygon = soup.polygons.size();
+      const std::vector<Point_3> points = file.points(piece);
+      soup.points.insert(soup.points.end(), points.begin(), points.end());
+      for (auto& polygon : file.cells(piece, "Polys")) soup.polygons.push_back(std::move(polygon));
+      for (const auto& strip : file.cells(piece, "Strips")) add_strip(strip, soup.polygons);
+      for (std::size_t f = first_polygon; f < soup.polygons.size(); ++f)
+        for (std::size_t& v : soup.polygons[f]) v += first_point;
+    }
+    return soup;
+  } catch (const Unusable_surface_error& e) {
+    throw Unusable_surface_error(std::string("the file is not a mesh in vtp format: ") + e.what());
+  }
+}
+
 } // namespace
 
 Polygon_soup parse_polygon_soup(std::string contents, const std::string& format)
 {
+  if (format == "vtp") return parse_vtp(contents);
   if (format == "off") drop_colours(contents);
   if (format == "ply") check_ply_layout(contents);
   if (format == "stl") check_binary_stl(contents);

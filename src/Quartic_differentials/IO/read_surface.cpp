@@ -339,9 +339,9 @@ std::string format_of(const std::string& path)
 {
   std::string extension = std::filesystem::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const char* known : {".off", ".obj", ".ply", ".stl", ".json"})
+  for (const char* known : {".off", ".obj", ".ply", ".stl", ".vtp", ".json"})
     if (extension == known) return extension.substr(1);
-  throw Unusable_surface_error("the extension '" + extension + "' is not one of .off, .obj, .ply, .stl, .json");
+  throw Unusable_surface_error("the extension '" + extension + "' is not one of .off, .obj, .ply, .stl, .vtp, .json");
 }
 
 } // namespace

@@ -33,15 +33,18 @@ internal::Image checkerboard(int squares)
 
 } // namespace
 
+void write_checkerboard_png(std::ostream& out, const Quartic_differential& q)
+{
+  internal::write_png(out, checkerboard(internal::checkerboard_squares_per_unit(area(q))));
+}
+
 void write_checkerboard(const std::string& folder, const std::string& name, const Quartic_differential& q)
 {
   const std::string texture = name + ".png";
   internal::write_file(folder + "/" + name + ".mtl", [&](std::ostream& out) {
     out << "newmtl checkerboard\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << texture << '\n';
   });
-  internal::write_file(folder + "/" + texture, [&](std::ostream& out) {
-    internal::write_png(out, checkerboard(internal::checkerboard_squares_per_unit(area(q))));
-  });
+  internal::write_file(folder + "/" + texture, [&](std::ostream& out) { write_checkerboard_png(out, q); });
 }
 
 } } // namespace CGAL::Quartic_differentials

@@ -2,13 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Texture_vertices.h"
+
 #include <CGAL/Quartic_differentials/IO/write_checkerboard.h>
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -30,36 +31,6 @@ void write_array(Text_writer& out, const char* name, const Range& range, Item it
     separator = ",\n";
   }
   out << ']';
-}
-
-// Texture vertices: corners that are connected round their vertex by identities share one.
-struct Texture_vertices
-{
-  std::vector<std::size_t> of_corner;   // by halfedge
-  std::vector<Grid_vector> points;
-};
-
-Texture_vertices texture_vertices(const Quartic_differential& q)
-{
-  const Intrinsic_triangulation& t = q.triangulation;
-  const std::size_t none = std::numeric_limits<std::size_t>::max();
-  Texture_vertices result{std::vector<std::size_t>(t.number_of_halfedges(), none), {}};
-  for (Halfedge h : t.halfedges()) {
-    if (result.of_corner[h] != none) continue;
-    Halfedge first = h;   // of its sector: turn clockwise to a change of charts, or once round
-    while (q.transition[first].is_identity()) {
-      first = t.next(t.opposite(first));
-      if (first == h) break;
-    }
-    Halfedge g = first;
-    do {
-      result.of_corner[g] = result.points.size();
-      if (!q.transition[t.prev(g)].is_identity()) break;
-      g = t.next_around_source(g);
-    } while (g != first);
-    result.points.push_back(q.corner[h]);
-  }
-  return result;
 }
 
 } // namespace

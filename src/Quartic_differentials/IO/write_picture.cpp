@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Vtk_poly_data.h"
 #include "picture_scenes.h"
 
 #include <CGAL/Quartic_differentials/IO/write_picture.h>
@@ -9,15 +10,13 @@
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
 #include <CGAL/Quartic_differentials/internal/read_obj.h>
 
-#include <boost/property_tree/ptree.hpp>
-#include <boost/property_tree/xml_parser.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 
 namespace CGAL {
@@ -29,7 +28,6 @@ using internal::Camera;
 using internal::Obj_file;
 using internal::Scene;
 using Json = nlohmann::json;
-using Tree = boost::property_tree::ptree;
 using Indices = std::vector<std::size_t>;
 
 // ---- Taking a picture
@@ -65,9 +63,6 @@ auto from_file(const std::string& folder, const std::string& name, Read read)
   }
   catch (const Error& e) { throw Unusable_surface_error(path + ": " + e.what()); }
   catch (const Json::exception&) { throw Unusable_surface_error(path + ": this is not JSON as a run writes it"); }
-  catch (const boost::property_tree::ptree_error&) {
-    throw Unusable_surface_error(path + ": this is not VTK's XML as a run writes it");
-  }
 }
 
 using internal::most_patches;
@@ -121,41 +116,6 @@ std::vector<Drawn_loop> read_loops(const std::string& path)
   return loops;
 }
 
-template <class Number>
-std::vector<Number> numbers(const Tree& section, const std::string& name)
-{
-  for (const auto& [key, data] : section) {
-    if (key != "DataArray" || data.get("<xmlattr>.Name", "") != name) continue;
-    const std::string text = data.data();
-    std::vector<Number> result;
-    const char *at = text.data(), *end = at + text.size();
-    while ((at = std::find_if(at, end, [](char c) { return c != ' ' && c != '\n'; })) != end) {
-      const std::from_chars_result read = std::from_chars(at, end, result.emplace_back());
-      if (read.ec != std::errc() || !std::isfinite(static_cast<double>(result.back())))
-        throw Unusable_surface_error("something is not a finite number");
-      at = read.ptr;
-    }
-    return result;
-  }
-  throw Unusable_surface_error("a list of numbers is missing");
-}
-
-// the lists of points of VTK's lines or polygons
-std::vector<Indices> cells(const Tree& section, std::size_t number_of_points)
-{
-  const Indices connectivity = numbers<std::size_t>(section, "connectivity");
-  std::vector<Indices> result;
-  std::size_t begin = 0;
-  for (std::size_t end : numbers<std::size_t>(section, "offsets")) {
-    if (end < begin || end > connectivity.size()) throw Unusable_surface_error("an offset is out of range");
-    result.emplace_back(connectivity.begin() + begin, connectivity.begin() + end);
-    begin = end;
-    for (std::size_t v : result.back())
-      if (v >= number_of_points) throw Unusable_surface_error("a point that does not exist is used");
-  }
-  return result;
-}
-
 struct Cut_surface
 {
   std::vector<Point_3>              points;
@@ -166,19 +126,16 @@ struct Cut_surface
 
 Cut_surface read_cut_surface(const std::string& path)
 {
-  Tree tree;
-  boost::property_tree::read_xml(path, tree);
-  const Tree& piece = tree.get_child("VTKFile.PolyData.Piece");
-  Cut_surface result;
-  const std::vector<double> xyz = numbers<double>(piece.get_child("Points"), "");
-  for (std::size_t k = 0; k + 2 < xyz.size(); k += 3) result.points.emplace_back(xyz[k], xyz[k + 1], xyz[k + 2]);
-  result.polygons = cells(piece.get_child("Polys"), result.points.size());
-  for (const Indices& line : cells(piece.get_child("Lines"), result.points.size())) {
+  std::ifstream in(path, std::ios::binary);
+  const Vtk_poly_data file({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()});
+  if (file.number_of_pieces() != 1) throw Unusable_surface_error("this is not VTK's XML as a run writes it");
+  Cut_surface result{file.points(0), file.cells(0, "Polys"), {}, {}};
+  for (const Indices& line : file.cells(0, "Lines")) {
     result.arcs.emplace_back();
     for (std::size_t v : line) result.arcs.back().push_back(result.points[v]);
   }
   if (result.polygons.empty()) throw Unusable_surface_error("there is no polygon");
-  const std::vector<long> patch = numbers<long>(piece.get_child("CellData"), "patch");   // lines come first
+  const std::vector<std::int64_t> patch = file.cell_data(0, "patch");   // lines come first
   if (patch.size() != result.arcs.size() + result.polygons.size()) throw Unusable_surface_error("a cell has no patch");
   for (std::size_t i = result.arcs.size(); i < patch.size(); ++i) {
     result.patch.push_back(static_cast<std::size_t>(patch[i]));       // beyond the range if negative

@@ -2,6 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "vtk_data_array.h"
+
 #include <CGAL/Quartic_differentials/IO/write_quads.h>
 #include <CGAL/Quartic_differentials/internal/Quad_shape.h>
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
@@ -21,18 +23,6 @@ namespace Quartic_differentials {
 namespace {
 
 using internal::Text_writer;
-
-// One line for every i < size, as `write_line(i)` writes it.
-template <class Write_line>
-void write_data_array(Text_writer& out, const std::string& attributes, std::size_t size, Write_line write_line)
-{
-  out << "<DataArray " << attributes << " format=\"ascii\">\n";
-  for (std::size_t i = 0; i < size; ++i) {
-    write_line(i);
-    out << '\n';
-  }
-  out << "</DataArray>\n";
-}
 
 } // namespace
 

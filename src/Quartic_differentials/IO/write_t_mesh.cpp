@@ -231,6 +231,103 @@ private:
   std::map<std::tuple<std::size_t, double, double>, std::size_t> m_shared;   // point by patch, u, v
 };
 
+// The groups of the obj file.
+class Patch_groups
+{
+public:
+  explicit Patch_groups(Mesh patches)   // add_property_map() finds what is there
+    : m_mesh(std::move(patches)), m_patch(m_mesh.add_property_map<Face, std::size_t>("f:patch").first),
+      m_texture(m_mesh.add_property_map<Halfedge, Point_2>("h:texture").first),
+      m_arc(m_mesh.add_property_map<Edge, std::size_t>("e:arc").first) {}
+
+  void write(Text_writer& out)
+  {
+    for (Vertex v : m_mesh.vertices()) {
+      out << "v ";
+      write_point(out, m_mesh.point(v), ' ');
+      out << '\n';
+    }
+    std::map<std::size_t, std::vector<Face>> faces;   // by patch
+    for (Face f : m_mesh.faces()) faces[m_patch[f]].push_back(f);
+    for (const auto& [patch, members] : faces) {
+      out << "g patch_" << patch << '\n';
+      write_patch(out, members);
+    }
+    std::map<std::size_t, std::vector<Edge>> edges;   // by arc
+    for (Edge e : m_mesh.edges())
+      if (m_arc[e] != static_cast<std::size_t>(-1)) edges[m_arc[e]].push_back(e);
+    for (const auto& [arc, members] : edges) {
+      out << "g arc_" << arc << "\nl";
+      for (Vertex v : polyline(members)) out << ' ' << v.idx() + 1;
+      out << '\n';
+    }
+  }
+
+private:
+  using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
+
+  // A patch may meet itself, so that one of its points has several places in it.
+  void write_patch(Text_writer& out, const std::vector<Face>& faces)
+  {
+    std::map<std::pair<Vertex, Point_2>, std::size_t> texture_vertex;
+    std::vector<std::array<std::pair<Vertex, std::size_t>, 3>> triangles;
+    for (Face f : faces) {
+      auto& corners = triangles.emplace_back();
+      std::size_t k = 0;
+      for (Halfedge h : m_mesh.halfedges_around_face(m_mesh.halfedge(f))) {
+        const auto [it, is_new] = texture_vertex.try_emplace({m_mesh.target(h), m_texture[h]}, m_texture_vertices + 1);
+        if (is_new) {
+          out << "vt " << m_texture[h].x() << ' ' << m_texture[h].y() << '\n';
+          ++m_texture_vertices;
+        }
+        corners[k++] = {m_mesh.target(h), it->second};
+      }
+    }
+    for (const auto& corners : triangles) {
+      out << 'f';
+      for (const auto& [v, texture] : corners) out << ' ' << v.idx() + 1 << '/' << texture;
+      out << '\n';
+    }
+  }
+
+  bool is_on_arc(Halfedge h) const { return m_arc[m_mesh.edge(h)] != static_cast<std::size_t>(-1); }
+  // Between its ends an arc meets no other: a node is where there are not just two edges of arcs.
+  bool is_end(Vertex v, std::size_t arc) const
+  {
+    std::size_t of_arc = 0, of_others = 0;
+    for (Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
+      if (is_on_arc(h)) ++(m_arc[m_mesh.edge(h)] == arc ? of_arc : of_others);
+    return of_arc != 2 || of_others != 0;
+  }
+
+  // the edges of an arc as a path, closed if it ends where it begins
+  std::vector<Vertex> polyline(const std::vector<Edge>& edges) const
+  {
+    const std::size_t arc = m_arc[edges.front()];
+    Halfedge h = m_mesh.halfedge(edges.front());
+    for (Edge e : edges)
+      for (Halfedge k : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
+        if (is_end(m_mesh.source(k), arc)) h = k;
+    std::vector<Vertex> path{m_mesh.source(h), m_mesh.target(h)};
+    while (path.size() <= edges.size()) {
+      const Edge from = m_mesh.edge(h);
+      for (Halfedge k : m_mesh.halfedges_around_target(h))
+        if (m_mesh.edge(k) != from && m_arc[m_mesh.edge(k)] == arc) {
+          h = m_mesh.opposite(k);
+          break;
+        }
+      path.push_back(m_mesh.target(h));
+    }
+    return path;
+  }
+
+  Mesh                                   m_mesh;
+  Mesh::Property_map<Face, std::size_t>  m_patch;
+  Mesh::Property_map<Halfedge, Point_2>  m_texture;
+  Mesh::Property_map<Edge, std::size_t>  m_arc;
+  std::size_t                            m_texture_vertices = 0;
+};
+
 } // namespace
 
 void write_t_mesh_json(std::ostream& stream, const T_mesh& t, const Quartic_differential& q, const std::string& surface)
@@ -251,6 +348,13 @@ void write_t_mesh_vtp(std::ostream& stream, const T_mesh& t, const Quartic_diffe
   internal::require_embedded(q.triangulation, "tmesh.vtp");
   Text_writer out(stream);
   Poly_data(t, q).write(out);
+  out.finish();
+}
+
+void write_t_mesh_obj(std::ostream& stream, Mesh patches)
+{
+  Text_writer out(stream);
+  Patch_groups(std::move(patches)).write(out);
   out.finish();
 }
 

@@ -15,8 +15,9 @@ namespace Quartic_differentials {
 
 /// reads a closed, connected, oriented triangle surface.
 ///
-/// The format follows from the extension: `.off`, `.obj`, `.ply`, `.stl` (through CGAL), or `.json` for triangles
-/// glued along their edges (see `read_surface_json()`). What is done to the input, and said in `notes`, is:
+/// The format follows from the extension: `.off`, `.obj`, `.ply`, `.stl` (through CGAL), `.vtp` (VTK's XML PolyData in
+/// all its encodings, compressed by zlib or not; polygons and strips), or `.json` for triangles glued along their edges
+/// (see `read_surface_json()`). What is done to the input, and said in `notes`, is:
 /// if the polygons as indexed are not closed, vertices with exactly equal coordinates become one (STL needs this);
 /// vertices without a face are dropped, the others keep their order; polygons are triangulated.
 /// Nothing else is repaired. A surface that is inside-out is legal, and noted.

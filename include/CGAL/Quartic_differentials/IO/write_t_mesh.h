@@ -33,6 +33,16 @@ void write_t_mesh_json(std::ostream& out, const T_mesh& t, const Quartic_differe
 /// Complexity: O(n log n) in the output.
 void write_t_mesh_vtp(std::ostream& out, const T_mesh& t, const Quartic_differential& q);
 
+/// writes `tmesh.obj`: the triangles of every patch as a group `patch_k`, with texture coordinates in the patch, from
+/// (0, 0) to (width, height) in the units of `flat.obj`; then every arc as a group `arc_k` with one polyline, from one
+/// end to the other.
+///
+/// The surface is closed, with one `v` for every point; texture vertices are shared within patches, not between them.
+/// Numbers read back as they were.
+/// \param patches the result of `patch_mesh()`
+/// Complexity: O(n log n).
+void write_t_mesh_obj(std::ostream& out, Mesh patches);
+
 } } // namespace CGAL::Quartic_differentials
 
 #endif // CGAL_QUARTIC_DIFFERENTIALS_IO_WRITE_T_MESH_H
