@@ -30,7 +30,7 @@ struct Run_facts
 /// the part of report.json up to the period matrix (`quartic info --json`)
 Json surface_report(const Run_facts& facts, const CGAL::Quartic_differentials::Riemann_surface* surface);
 
-/// report.json (METHOD, output files), with what was reached
+/// report.json (report.schema.json), with what was reached
 Json run_report(const Run_facts& facts, const CGAL::Quartic_differentials::Quartic_differential_result& result);
 
 /// the report for people, at the end of a run

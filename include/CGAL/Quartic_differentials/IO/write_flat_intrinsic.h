@@ -13,15 +13,8 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-/// writes the flat triangulation, exactly, as one JSON object:
-/// - `grid_exponent`: k;
-/// - `vertices`: [x, y, z] of the input's vertices in their order, then of the inserted cones; empty if the surface is
-///   not embedded;
-/// - `triangles`: [v, v, v];
-/// - `uv`: [u0, v0, u1, v1, u2, v2] of every triangle, integers in units of 2^-k;
-/// - `opposite`: [[t, e], [t, e], [t, e]] of every triangle: the triangle and edge glued to each of its edges;
-///   edge e joins the corners e and e+1, and self-gluings are legal.
-/// Complexity: linear. Source: METHOD, output files.
+/// writes `flat_intrinsic.json`, the flat triangulation, exactly; \ref json_flat_intrinsic says what its fields are.
+/// Complexity: linear.
 void write_flat_intrinsic_json(std::ostream& out, const Quartic_differential& q);
 
 /// writes `name`.obj, `name`.mtl and a checkerboard, `name`.png, into `folder`.

@@ -17,7 +17,7 @@ namespace Quartic_differentials {
 /// Complexity: linear in the output.
 void write_multipatch_xml(std::ostream& out, const Multipatch& m);
 
-/// writes `splines.json` (METHOD, output files): the same as plain lists, and the quads of every patch. Numbers read
+/// writes `splines.json` (\ref json_splines): the same as plain lists, and the quads of every patch. Numbers read
 /// back as they were.
 /// Complexity: linear in the output.
 void write_multipatch_json(std::ostream& out, const Multipatch& m);

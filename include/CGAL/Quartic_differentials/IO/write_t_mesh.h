@@ -13,7 +13,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-/// writes `tmesh.json` (METHOD, output files): nodes, arcs and patches, lengths in integers, places in space as points and
+/// writes `tmesh.json` (\ref json_tmesh): nodes, arcs and patches, lengths in integers, places in space as points and
 /// polylines on the triangles of `q`.
 ///
 /// \param surface what the polylines lie on: `input` if `q` is on a refinement of the input, otherwise `flat_intrinsic`
