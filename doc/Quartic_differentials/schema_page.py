@@ -20,9 +20,9 @@ def described(text):
 def type_of(schema):
     """what a reader calls the type of a value"""
     if "enum" in schema:
-        return " or ".join(json.dumps(value) for value in schema["enum"])
+        return " or ".join(f"`{json.dumps(value)}`" for value in schema["enum"])
     if "const" in schema:
-        return "always " + json.dumps(schema["const"])
+        return f"always `{json.dumps(schema['const'])}`"
     if schema["type"] == "array":
         size = f" of {schema['minItems']}" if schema.get("minItems") == schema.get("maxItems", -1) else ""
         return "list" + size
@@ -66,7 +66,7 @@ class Page:
                  "| Field | Type | Meaning |", "|:---|:---|:---|"]
         for path, type_name, is_required, description in self.rows:
             optional = "" if is_required else "<br>optional"
-            lines.append(f"| `{path}` | {plain(type_name)}{optional} | {described(description)} |")
+            lines.append(f"| `{path}` | {described(type_name)}{optional} | {described(description)} |")
         return "\n".join(lines + ["", "## The schema", "", f"\\include {file}", ""])
 
 
