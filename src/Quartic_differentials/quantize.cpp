@@ -7,6 +7,7 @@
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Length_program.h>
 #include <CGAL/Quartic_differentials/internal/Quad_grid.h>
+#include <CGAL/Quartic_differentials/internal/scientific.h>
 #include <CGAL/Quartic_differentials/internal/zero_complex.h>
 
 #include <algorithm>
@@ -49,6 +50,26 @@ void refuse_what_has_no_quads(const T_mesh& t)
                                      " which no quad mesh has");
 }
 
+double scale_for_edge_length(const T_mesh& t, const Quantization_options& options)
+{ return std::ldexp(options.surface_units_per_unit / options.edge_length, -t.grid_exponent); }
+
+// the number of quads that is asked for
+double number_wanted(const T_mesh& t, const Quantization_options& options)
+{
+  if (options.edge_length > 0) return std::round(squared(scale_for_edge_length(t, options)) * area(t));
+  return double(options.number_of_quads);
+}
+
+// A run with this number takes 14 GB; and lengths of arcs must fit an int.
+const double most_quads = 1e7;
+
+void refuse_too_many(double quads)
+{
+  if (!(quads <= most_quads))
+    throw Infeasible_divisor_error("the mesh would have about " + internal::scientific(quads) + " quads, more than "
+                                   + internal::scientific(most_quads) + ": ask for fewer, or for longer sides");
+}
+
 std::string defect_of_sums(const T_mesh& t, const std::vector<int>& q)
 {
   if (q.size() != t.arcs.size()) return "there is not one length for every arc";
@@ -88,14 +109,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  double scale_for_edge_length() const
-  { return std::ldexp(m_options.surface_units_per_unit / m_options.edge_length, -m_t.grid_exponent); }
-
-  double target() const
-  {
-    if (m_options.edge_length > 0) return std::round(squared(scale_for_edge_length()) * area(m_t));
-    return double(m_options.number_of_quads);
-  }
+  double target() const { return number_wanted(m_t, m_options); }
 
   int block_size() const
   {
@@ -112,7 +126,7 @@ private:
 
   Quantization for_edge_length()
   {
-    Quantization result = at_scale(scale_for_edge_length());
+    Quantization result = at_scale(scale_for_edge_length(m_t, m_options));
     result.target = static_cast<std::size_t>(target());
     if (!is_near(double(result.number_of_quads), double(result.target), promised_tolerance))
       result.shortfall = "where singularities stay apart and patches are rectangles, the lengths nearest to the edge"
@@ -274,6 +288,7 @@ const char* name(Quantization_method method)
 Quantization quantize(const T_mesh& t, const Quantization_options& options, Visitor& visitor)
 {
   refuse_what_has_no_quads(t);
+  refuse_too_many(number_wanted(t, options));
   return Quantizer(t, options, visitor).run();
 }
 

@@ -8,7 +8,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
+#include <new>
 #include <string>
 
 namespace QD = CGAL::Quartic_differentials;
@@ -17,9 +19,18 @@ namespace {
 
 enum Exit_status { done = 0, usage = 1, unusable_input = 2, numerical_failure = 3 };
 
-int failed(const std::exception& e, Exit_status status)
+// What is quoted from files may be long, and may hold line ends and codes that control terminals.
+std::string one_line(std::string text)
 {
-  std::cerr << "quartic: " << e.what() << std::endl;
+  const std::size_t most = 500;
+  if (text.size() > most) text = text.substr(0, most) + " ...";
+  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return text;
+}
+
+int failed(const std::string& message, Exit_status status)
+{
+  std::cerr << "quartic: " << one_line(message) << std::endl;
   return status;
 }
 
@@ -68,14 +79,16 @@ int main(int argc, char** argv)
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? done : usage;
   } catch (const QD::Unusable_surface_error& e) {
-    return failed(e, unusable_input);
+    return failed(e.what(), unusable_input);
   } catch (const QD::Infeasible_divisor_error& e) {
-    return failed(e, unusable_input);
+    return failed(e.what(), unusable_input);
   } catch (const QD::Numerical_error& e) {
-    return failed(e, numerical_failure);
+    return failed(e.what(), numerical_failure);
   } catch (const QD::Error& e) {          // a file that cannot be written
-    return failed(e, usage);
-  } catch (const std::exception& e) {     // out of memory, or an error in the program
-    return failed(e, numerical_failure);
+    return failed(e.what(), usage);
+  } catch (const std::bad_alloc&) {
+    return failed("there is not enough memory for this", numerical_failure);
+  } catch (const std::exception& e) {     // an error in the program
+    return failed(e.what(), numerical_failure);
   }
 }

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands.h"
+#include "option_checks.h"
 #include "page.h"
 #include "page_model.h"
 #include "progress.h"
@@ -56,16 +57,18 @@ const char* const output_files[] = {
   "flat_intrinsic.obj", "flat_intrinsic.mtl", "flat_intrinsic.png", "tmesh.json", "tmesh.vtp", "tmesh.obj",
   "singularities.txt", "pareto.csv", "pareto.svg", "loops.obj",
   "quads.obj", "quads.off", "quads.ply", "quads.vtu", "quads.png", "splines.xml", "splines.json", "splines.vtu",
-  "tmesh.tsp", "picture_checkerboard.png", "picture_tmesh.png", "picture_quads.png", "picture_loops.png",
+  "tmesh.tsp", "picture_checkerboard.png", "picture_tmesh.png", "picture_quads.png", "picture_wireframe.png",
+  "picture_loops.png",
   "report.json", "report.html"};
 
-// Makes the folder and removes what an earlier run left there, so that results of two runs never mix.
+// Makes the folder and removes what an earlier run left there, whole or not, so that results of two runs never mix.
 void prepare_folder(const fs::path& folder)
 {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder)) throw Error("the output folder " + folder.string() + " cannot be made");
-  for (const char* name : output_files) fs::remove(folder / name, error);
+  for (const std::string name : output_files)
+    for (const fs::path& file : {folder / name, folder / (name + ".part")}) fs::remove(file, error);
 }
 
 // flat.obj is always there, with its texture, for `quartic verify` and for scripts
@@ -146,8 +149,10 @@ void write_quads(const std::string& folder, const Quads& quads, const Quartic_di
 std::optional<Divisor> divisor_from_file(const std::string& path, const Intrinsic_triangulation& input)
 {
   if (path.empty()) return std::nullopt;
-  std::ifstream in(path);
-  if (!in) throw Infeasible_divisor_error("the file of singularities " + path + " cannot be read");
+  std::error_code error;
+  std::ifstream in;
+  if (fs::is_regular_file(path, error) || fs::is_fifo(path, error)) in.open(path);   // not a folder, nor /dev/zero
+  if (!in.is_open()) throw Infeasible_divisor_error("the file of singularities " + path + " cannot be read");
   return read_singularities(in, input);
 }
 
@@ -212,15 +217,17 @@ void add_run(CLI::App& app, const std::string& command_line)
   options->command_line = command_line;
   CLI::App* command = app.add_subcommand("run", "Compute singularities, flat metric, quartic differential and T-mesh of a mesh");
   command->add_option("MESH", options->mesh, "Closed triangle or polygon mesh (.off, .obj, .ply, .stl, .vtp), or a surface of "
-                                             "glued triangles (.json)")->required();
-  command->add_option("-o,--output", options->folder, "Folder for the results; made if it is not there")->required();
+                                             "glued triangles (.json)")->required()->check(some_name());
+  command->add_option("-o,--output", options->folder, "Folder for the results; made if it is not there")
+         ->required()->check(some_name());
   command->add_option("--singularities", options->singularities,
-                      "File with the singularities to start from, lines 'x y z order [pinned]' (order = valence - 4)");
+                      "File with the singularities to start from, lines 'x y z order [pinned]' (order = valence - 4)")
+         ->check(some_name());
   Singularity_choice_options& choice = options->pipeline.choice;
   command->add_option("--distortion", choice.distortion,
                       "Choose as few singularities as this area distortion allows: the mean square of the log of the "
                       "scale of lengths")
-         ->check(CLI::PositiveNumber)->capture_default_str();
+         ->check(positive_number())->capture_default_str();
   command->add_option("--count", choice.count,
                       "Choose this number of singularities; the next number of the right parity is taken")
          ->check(CLI::PositiveNumber);
@@ -240,7 +247,7 @@ void add_run(CLI::App& app, const std::string& command_line)
          ->check(CLI::Range(1, 20))->capture_default_str();
   command->add_option("--min-distance", options->pipeline.distortion.guard_distance,
                       "Singularities nearer than this times the square root of the area repel each other")
-         ->check(CLI::Range(0.01, 0.2))->capture_default_str();
+         ->check(number_between(0.01, 0.2))->capture_default_str();
   command->add_option("--seed", choice.seed, "Seed of the direction field's eigenvector")->capture_default_str();
   command->add_flag_function("--optimize,!--no-optimize", [options](std::int64_t n) {
     options->pipeline.optimize = n > 0 ? Optimize::always : Optimize::never;
@@ -275,10 +282,10 @@ void add_run(CLI::App& app, const std::string& command_line)
          ->allow_extra_args(false)->type_name("obj|ply|vtp|vtu|glb")->capture_default_str();
   CLI::Option* number = command->add_option("--quads", options->quads.quantization.number_of_quads,
                                             "Also make a quad mesh, quads.obj, of about this number of quads")
-                               ->check(CLI::Range(1, 100000000))->type_name("N");
+                               ->check(CLI::Range(1, 10000000))->type_name("N");
   command->add_option("--edge-length", options->quads.quantization.edge_length,
                       "Also make a quad mesh with sides of about this length")
-         ->check(CLI::PositiveNumber)->type_name("H")->excludes(number);
+         ->check(positive_number())->type_name("H")->excludes(number);
   command->add_option("--quad-format", options->quad_formats,
                       "Formats of the quad mesh beside quads.obj: names separated by commas, or one an option")
          ->check(CLI::IsMember({"obj", "off", "ply", "vtu"}).description(""))->delimiter(',')->allow_extra_args(false)

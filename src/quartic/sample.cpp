@@ -3,10 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands.h"
+#include "option_checks.h"
 
 #include <CGAL/Quartic_differentials/IO/surface_json.h>
 #include <CGAL/Quartic_differentials/branched_cover.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/Text_writer.h>
+#include <CGAL/Quartic_differentials/internal/scientific.h>
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
 #include <CGAL/Quartic_differentials/spoiled_surfaces.h>
 
@@ -14,11 +17,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -84,10 +87,7 @@ Glued_triangles glued(const Sample_options& options)
 void write_glued(const Sample_options& options)
 {
   const Glued_triangles surface = glued(options);
-  std::ofstream out(options.file);
-  write_surface_json(out, surface);
-  out.close();
-  if (!out) throw Error(options.file + " cannot be written");
+  internal::write_file(options.file, [&](std::ostream& out) { write_surface_json(out, surface); });
   say(options, Intrinsic_triangulation(surface));
 }
 
@@ -119,9 +119,30 @@ void write_embedded(const Sample_options& options)
 {
   Mesh mesh = spoiled(embedded(options), options);
   const int digits = options.slivers > 0 ? 17 : 12;   // slivers need them all
-  if (!CGAL::IO::write_polygon_mesh(options.file, mesh, CGAL::parameters::stream_precision(digits).verbose(false)))
-    throw Error(options.file + " cannot be written: its name should end in .off, .obj, .ply or .stl, in a folder that exists");
+  const std::filesystem::path file = options.file, part = file.stem().string() + ".part" + file.extension().string();
+  internal::make_file(file.string(), (file.parent_path() / part).string(), [&](const std::string& name) {
+    if (!CGAL::IO::write_polygon_mesh(name, mesh, CGAL::parameters::stream_precision(digits).verbose(false)))
+      throw Error(options.file + " cannot be written: its name should end in .off, .obj, .ply or .stl, in a folder that exists");
+  });
   say(options, Intrinsic_triangulation(std::move(mesh)));
+}
+
+// about the number of triangles before they are split, measured where it is not known; more than there are for `cover`
+double number_of_triangles(const Sample_options& options)
+{
+  const double g = options.genus, n = options.resolution > 0 ? options.resolution : options.kind == "torus" ? 60 : 8;
+  if (options.kind == "torus") return 2 * n * n * options.r / options.R;
+  if (options.kind == "chain") return 45 * (g + 1) * n * n;
+  if (options.kind == "ring") return (45 * (g + 1) + 2 * g * g) * n * n;
+  return 8 * (g + 1) + 20;
+}
+
+void check_size(const Sample_options& options)
+{
+  const double most = 2e7, n = std::ldexp(number_of_triangles(options), 2 * std::max(options.subdivisions, 0));
+  if (n > most)
+    throw Error("the surface would have about " + internal::scientific(n) + " triangles, more than "
+                + internal::scientific(most) + ": ask for a lower genus, resolution or number of subdivisions");
 }
 
 void check_usage(const Sample_options& options)
@@ -141,6 +162,7 @@ void check_usage(const Sample_options& options)
 void sample(const Sample_options& options)
 {
   check_usage(options);
+  check_size(options);
   if (glued_kinds.count(options.kind)) write_glued(options);
   else write_embedded(options);
 }
@@ -172,20 +194,20 @@ void add_sample(CLI::App& app)
                       "How often each triangle is split into four (sphere, polygon, l 4, hyperelliptic 3, otherwise 0); "
                       "for cover, how often the size of triangles is halved (2)")
          ->check(CLI::Range(0, 8));
-  command->add_option("-R", options->R, "Radius of the torus (2)")->check(CLI::PositiveNumber);
-  command->add_option("-r", options->r, "Radius of the circle that makes the torus (1)")->check(CLI::PositiveNumber);
+  command->add_option("-R", options->R, "Radius of the torus (2)")->check(positive_number());
+  command->add_option("-r", options->r, "Radius of the circle that makes the torus (1)")->check(positive_number());
   command->add_option("--branch", options->branch_points,
                       "Branch points of cover, an even number: \"x,y;x,y;...\", x for a real one, inf for infinity");
   const std::string spoil = "To make it bad";
   command->add_option("--noise", options->noise, "Move every vertex at random by up to this part of the mean edge length")
-         ->check(CLI::Range(0.0, 10.0))->group(spoil);
+         ->check(number_between(0, 10))->group(spoil);
   command->add_option("--hub", options->hub, "Put a vertex of this valence into a face")
          ->check(CLI::Range(3, 100000))->group(spoil);
   command->add_option("--slivers", options->slivers,
                       "Split one face in five near an edge, at this part of the altitude")
-         ->check(CLI::Range(1e-12, 0.5))->group(spoil);
+         ->check(number_between(1e-12, 0.5))->group(spoil);
   command->add_option("--stretch", options->stretch, "Stretch the surface along the x axis by this factor")
-         ->check(CLI::PositiveNumber)->group(spoil);
+         ->check(positive_number())->group(spoil);
   command->add_option("--seed", options->seed, "Seed of noise and slivers (1)")->group(spoil);
   command->callback([options] { sample(*options); });
 }

@@ -235,6 +235,44 @@ void check_refused_input()
   check_failure("run torus.ply -o a_file", 1, "a_file");
 }
 
+// What no run could do ends at once, not when time or memory is used up.
+void check_absurd_options()
+{
+  const auto check = [](const std::string& arguments, int status, const std::string& message) {
+    const Outcome o = quartic(arguments);
+    if (o.status != status || !contains(o.err, message)) std::cerr << "quartic " << arguments << " said: " << o.err << '\n';
+    CHECK_EQUAL(o.status, status);
+    CHECK(contains(o.err, message));
+    CHECK(o.cpu_seconds < 5);
+  };
+  for (const char* option : {"--distortion", "--min-distance", "--edge-length"})
+    for (const char* value : {"nan", "inf", "-1", "0", "1e999", "''", "x"})
+      check("run torus.ply -o absurd " + std::string(option) + ' ' + value, 1, option);
+  for (const char* option : {"--quads", "--precision", "--patches", "--count", "--seed", "--least-order", "--most-order"})
+    for (const char* value : {"1000000000000", "-1000000000", "1e9", "nan", "0.5"})
+      check("run torus.ply -o absurd --splines " + std::string(option) + ' ' + value, 1, option);
+  check("run torus.ply -o absurd --quads 1000000000", 1, "--quads");
+  check("run torus.ply -o absurd --patches 0 --splines", 1, "--patches");
+  for (const char* option : {"-o ''", "-o absurd --singularities ''"})
+    check("run torus.ply " + std::string(option), 1, "a name is missing");
+  check("run '' -o absurd", 1, "a name is missing");
+  CHECK(!fs::exists(folder / "absurd"));
+  for (const char* file : {".", "/dev/zero", "missing.txt"})
+    check("run torus.ply -o absurd --singularities " + std::string(file), 2, "cannot be read");
+  check("run torus.ply -o absurd --count 2000000000", 2, "no room for 2000000000");
+  for (const char* length : {"1e-3", "1e-9", "1e-300"})
+    check("run torus.ply -o absurd -q --edge-length " + std::string(length), 2, "quads, more than 1.00e+07");
+  check("run torus.ply -o absurd -q --splines --edge-length 1e-300", 2, "quads, more than 1.00e+07");
+  for (const char* surface : {"chain -g 50 -n 1000", "ring -g 50 -n 100", "torus -n 1000 -s 8", "torus -n 10 -R 1e300 -s 8",
+                              "polygon -g 50 -s 8", "hyperelliptic -g 50 -s 8", "sphere -s 9"})
+    check("sample " + std::string(surface) + " -o large.json", 1, "");
+  check("sample chain -g 50 -n 1000 -o large.off", 1, "triangles, more than 2.00e+07");
+  check("sample polygon -g 50 -s 8 -o large.json", 1, "triangles, more than 2.00e+07");
+  check("sample sphere --noise nan -o large.off", 1, "--noise");
+  check("sample sphere --stretch inf -o large.off", 1, "--stretch");
+  CHECK(!fs::exists(folder / "large.off") && !fs::exists(folder / "large.json"));
+}
+
 int main()
 {
   if (Quartic_test::environment("QUARTIC_PROGRAM").empty()) {
@@ -249,5 +287,6 @@ int main()
   check_quads();
   check_choice();
   check_refused_input();
+  check_absurd_options();
   return Quartic_test::result();
 }

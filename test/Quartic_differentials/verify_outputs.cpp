@@ -539,7 +539,7 @@ void quads_obj_is_checked()
     std::iter_swap(first, first + 1);
   });
   for (const char* name : {"g", "g ", "g patch_", "g patch_-1", "g patch_ 1", "g patch_1x", "g patch_12345678901",
-                           "g 1", "o x"})
+                           "g patch_18446744073709551616", "g 1", "o x"})
     check_fails("quads.obj: a ", [&](Output&, Lines& l) { line(l, "g ", 2) = name; });
   check_fails("a quad is not in a group", [](Output&, Lines& l) { line(l, "g ", 0).clear(); });
   check_fails("neither a vertex, nor a group, nor a quad", [](Output&, Lines& l) { l.push_back("l 1 2"); });

@@ -7,6 +7,7 @@
 #include <CGAL/Quartic_differentials/IO/read_surface.h>
 #include <CGAL/Quartic_differentials/IO/surface_json.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/scientific.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -273,15 +274,26 @@ Mesh triangle_mesh(const Polygon_soup& s, std::vector<std::string>& notes)
   return mesh;
 }
 
-// The edge lengths, in double precision, must still make triangles.
-void check_areas(const Intrinsic_triangulation& t)
+std::string triangle_text(const Intrinsic_triangulation& t, Face f)
 {
+  if (!t.is_embedded()) return "triangle " + std::to_string(f.idx());
+  const auto h = t.halfedges(f);
+  return "triangle " + text(t.mesh().point(t.source(h[0]))) + ", " + text(t.mesh().point(t.source(h[1]))) + ", "
+       + text(t.mesh().point(t.source(h[2])));
+}
+
+// Products of four lengths must be far from the greatest and the least double, and make triangles with an area.
+void check_lengths(const Intrinsic_triangulation& t)
+{
+  const double most = 1e40, least = 1e-40, longest = *std::max_element(t.lengths().begin(), t.lengths().end());
+  if (!(longest >= least && longest <= most))
+    throw Unusable_surface_error("its longest edge has the length " + internal::scientific(longest) + "; please choose"
+      " another unit of length, in which that is between " + internal::scientific(least) + " and "
+      + internal::scientific(most));
   for (Face f : t.faces()) {
     const auto h = t.halfedges(f);
-    if (four_times_area(t.length(h[0]), t.length(h[1]), t.length(h[2])) > 0) continue;
-    throw Unusable_surface_error("the triangle " + text(t.mesh().point(t.source(h[0]))) + ", "
-      + text(t.mesh().point(t.source(h[1]))) + ", " + text(t.mesh().point(t.source(h[2])))
-      + " has no area in double precision");
+    if (!(four_times_area(t.length(h[0]), t.length(h[1]), t.length(h[2])) > 0))
+      throw Unusable_surface_error("the " + triangle_text(t, f) + " has no area in double precision");
   }
 }
 
@@ -307,7 +319,7 @@ Intrinsic_triangulation embedded_surface(Polygon_soup s, std::vector<std::string
   check_connected(opposite, [&](std::size_t f) { return vertex_text(s, s.polygons[f][0]); });
   drop_unused_vertices(s, notes);
   Intrinsic_triangulation t(triangle_mesh(s, notes));
-  check_areas(t);
+  check_lengths(t);
   if (six_times_volume(t) < 0)
     notes.push_back("the surface is inside-out (its volume is negative); it is used as it is");
   return t;
@@ -318,6 +330,7 @@ Intrinsic_triangulation glued_surface(const std::string& contents)
   const Glued_triangles s = read_surface_json(contents);
   Intrinsic_triangulation t(s);
   check_connected(s.opposite, [&](std::size_t f) { return "vertex " + std::to_string(s.triangles[f][0]); });
+  check_lengths(t);
   return t;
 }
 

@@ -33,18 +33,21 @@ const json& list_of(const json& value, const std::string& place)
   return value;
 }
 
+// a number or a word as it is written; of lists, which may be nested without end, only that they are
+std::string shown(const json& value) { return value.is_structured() ? value.type_name() : value.dump(); }
+
 // below `limit`, so that a broken id cannot ask for memory without end
 int index(const json& value, std::size_t limit, const std::string& place)
 {
   if (!value.is_number_unsigned() || value.get<std::size_t>() >= limit)
-    throw Unusable_surface_error(place + " holds " + value.dump() + ", which is not an index below "
+    throw Unusable_surface_error(place + " holds " + shown(value) + ", which is not an index below "
                                  + std::to_string(limit));
   return value.get<int>();
 }
 
 double number(const json& value, const std::string& place)
 {
-  if (!value.is_number()) throw Unusable_surface_error(place + " holds " + value.dump() + ", which is not a number");
+  if (!value.is_number()) throw Unusable_surface_error(place + " holds " + shown(value) + ", which is not a number");
   return value.get<double>();
 }
 

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -41,10 +42,16 @@ using internal::scientific;
 // The file is missing or not of the form it should be.
 struct Malformed : Error { using Error::Error; };
 
+bool has_file(const std::string& folder, const std::string& name)
+{
+  std::error_code error;
+  return std::filesystem::is_regular_file(folder + "/" + name, error);   // a pipe might never end
+}
+
 Json read_json(const std::string& folder, const std::string& name)
 {
+  if (!has_file(folder, name)) throw Malformed("the file cannot be opened");
   std::ifstream in(folder + "/" + name);
-  if (!in) throw Malformed("the file cannot be opened");
   try { return Json::parse(in); }
   catch (const Json::exception&) { throw Malformed("the file is not JSON, or cut off"); }
 }
@@ -838,11 +845,11 @@ std::vector<Verification> verify_outputs(const std::string& folder, const Intrin
     const Flat_facts facts = verify_flat("flat_intrinsic", read_flat(folder), report, checks);
     file = "flat.obj";
     const Mesh* mesh = input != nullptr && input->is_embedded() ? &input->mesh() : nullptr;
-    if (mesh != nullptr || (facts.is_embedded && std::ifstream(folder + "/" + file)))
+    if (mesh != nullptr || (facts.is_embedded && has_file(folder, file)))
       verify_flat_obj(read_flat_obj(folder, facts.grid_exponent), facts, report, mesh, checks);
     file = "tmesh.json";
     Ids patch_ids;
-    if (report.orders.empty() && !std::ifstream(folder + "/" + file)) {
+    if (report.orders.empty() && !has_file(folder, file)) {
       checks.push_back({true, "tmesh: none, there is no singularity"});
     } else {
       const Tmesh t = read_tmesh(folder, facts.is_embedded);
@@ -850,7 +857,7 @@ std::vector<Verification> verify_outputs(const std::string& folder, const Intrin
       verify_tmesh(t, facts, report, checks);
     }
     file = "quads.obj";
-    if (report.quads || std::ifstream(folder + "/" + file))
+    if (report.quads || has_file(folder, file))
       verify_quads(read_quads(folder), report, patch_ids, mesh, checks);
   }
   catch (const Error& e) { checks.push_back({false, file + ": " + e.what()}); }

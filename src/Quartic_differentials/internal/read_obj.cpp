@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -59,7 +60,7 @@ std::size_t patch_of(const std::string& group)
 {
   const std::string begin = "patch_";
   if (group.empty()) throw Unusable_surface_error("a quad is not in a group");
-  std::size_t patch = 0;
+  std::size_t patch = most_patches + 1;   // stays so where the number does not fit
   const char* const end = group.data() + group.size();
   if (group.compare(0, begin.size(), begin) != 0
       || std::from_chars(group.data() + begin.size(), end, patch).ptr != end || group.size() == begin.size()
@@ -72,8 +73,10 @@ std::size_t patch_of(const std::string& group)
 
 Obj_file read_obj(const std::string& path)
 {
-  std::ifstream in(path);
-  if (!in) throw Unusable_surface_error("the file cannot be opened");
+  std::error_code error;
+  std::ifstream in;
+  if (std::filesystem::is_regular_file(path, error)) in.open(path);   // a pipe might never end
+  if (!in.is_open()) throw Unusable_surface_error("the file cannot be opened");
   Obj_file file;
   const std::set<std::string> other{"", "\r", "mtllib", "usemtl"};
   std::string line, group;

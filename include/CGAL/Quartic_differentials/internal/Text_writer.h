@@ -65,20 +65,37 @@ void write_point(Text_writer& out, const Point& p, char separator)
 /// what stands before element k of a list
 inline std::string_view comma(std::size_t k) { return k == 0 ? "" : ","; }
 
+/// calls `make(part)`, which makes a file of that name, and gives it its final name. It is removed if that fails; links of
+/// either name are replaced, not followed.
+/// \throws Error if the file cannot get its name, and what `make` throws
+template <class Make>
+void make_file(const std::string& path, const std::string& part, Make make)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::remove(part, error);
+  try {
+    make(part);
+    fs::rename(part, path, error);
+    if (error) throw Error("cannot give " + part + " its final name");
+  } catch (...) {
+    fs::remove(part, error);
+    throw;
+  }
+}
+
 /// opens a file, calls `write(out)` and closes it. The file has another name until it is whole.
 /// \throws Error if the file cannot be written to its end
 template <class Write>
 void write_file(const std::string& path, Write write)
 {
-  const std::string part = path + ".part";
-  std::ofstream out(part, std::ios::binary);
-  if (!out) throw Error("cannot open " + part + " for writing");
-  write(out);
-  out.close();
-  if (!out) throw Error("cannot write " + part + " to its end");
-  std::error_code error;
-  std::filesystem::rename(part, path, error);
-  if (error) throw Error("cannot give " + part + " its final name");
+  make_file(path, path + ".part", [&](const std::string& part) {
+    std::ofstream out(part, std::ios::binary);
+    if (!out) throw Error("cannot open " + part + " for writing");
+    write(out);
+    out.close();
+    if (!out) throw Error("cannot write " + part + " to its end");
+  });
 }
 
 } } } // namespace CGAL::Quartic_differentials::internal
