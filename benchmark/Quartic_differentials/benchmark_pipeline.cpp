@@ -352,12 +352,7 @@ int main(int argc, char** argv)
     }
 
   const Targets targets(target_file);
-  std::cout << "Factorisation: " << Symmetric_factorization::name();
-  for (const char* variable : {"OPENBLAS_NUM_THREADS", "OMP_THREAD_LIMIT"}) {
-    const char* value = std::getenv(variable);
-    std::cout << "; " << variable << ": " << (value ? value : "not set");
-  }
-  std::cout << "; median of " << settings.number_of_runs << " runs, in seconds of the processor.\n" << std::endl;
+  std::cout << "Factorisation: " << Symmetric_factorization::name() << "; median of " << settings.number_of_runs << " runs, in seconds of the processor.\n" << std::endl;
   if (targets.wanted()) std::cout << targets.scale() << '\n' << std::endl;
   bool all_well = true;
   for (const std::vector<Subject>& family : families)
