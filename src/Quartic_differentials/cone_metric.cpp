@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Quartic_differentials/Area_distortion.h>
 #include <CGAL/Quartic_differentials/abel_jacobi_map.h>
 #include <CGAL/Quartic_differentials/cone_metric.h>
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
@@ -19,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -70,10 +73,67 @@ std::vector<double> moved_scales(const std::vector<double>& u, double step, cons
   return result;
 }
 
+// the vertices next to these, and themselves
+std::vector<Vertex> with_neighbours(const Intrinsic_triangulation& t, const std::vector<Vertex>& vertices)
+{
+  std::set<Vertex> result(vertices.begin(), vertices.end());
+  for (Vertex v : vertices) {
+    const Halfedge first = t.halfedge_from(v);
+    Halfedge h = first;
+    do { result.insert(t.target(h)); h = t.next_around_source(h); } while (h != first);
+  }
+  return {result.begin(), result.end()};
+}
+
+// Sweeps of Gauss and Seidel's method for L d = -error at some vertices.
+void relax(const Intrinsic_triangulation& t, const std::vector<double>& weights, const Eigen::VectorXd& error,
+           const std::vector<Vertex>& vertices, Eigen::VectorXd& d)
+{
+  const int sweeps = 20;
+  for (int k = 0; k < sweeps; ++k)
+    for (Vertex v : vertices) {
+      double sum = -error[v], weight = 0;
+      const Halfedge first = t.halfedge_from(v);
+      Halfedge h = first;
+      do {
+        if (t.target(h) != v) {
+          sum += weights[t.edge(h)] * d[t.target(h)];
+          weight += weights[t.edge(h)];
+        }
+        h = t.next_around_source(h);
+      } while (h != first);
+      if (weight > 0) d[v] = sum / weight;
+    }
+}
+
+// The direction of Newton's first step from u = 0, nearly, without a factorisation of its own: the linear theory on the
+// surface without the cones is this step but for the triangles round them, where it is relaxed.
+Eigen::VectorXd first_direction(const Intrinsic_triangulation& t, const Divisor& divisor, const Cone_metric& m,
+                                const Laplacian_solver& factorized)
+{
+  const Eigen::VectorXd u = Area_distortion(t, factorized, vertex_areas(t)).log_scale(divisor);
+  Eigen::VectorXd direction(m.u.size());
+  direction.head(u.size()) = u;
+  for (std::size_t i = 0; i < divisor.size(); ++i) {
+    const Surface_point& p = divisor[i].location;
+    const auto h = t.halfedges(p.face);
+    if (m.cones[i].idx() < t.number_of_vertices()) continue;   // it took a vertex
+    direction[m.cones[i]] = 0;
+    for (int k = 0; k < 3; ++k) direction[m.cones[i]] += p.barycentric[k] * u[t.source(h[k])];
+  }
+  const std::vector<double> angles = corner_angles(m.triangulation, m.triangulation.lengths());
+  const std::vector<Vertex> near = with_neighbours(m.triangulation, with_neighbours(m.triangulation, m.cones));
+  relax(m.triangulation, cotangent_weights(m.triangulation, m.triangulation.lengths()),
+        curvature_error(m, curvatures(m.triangulation, angles)), near, direction);
+  return direction;
+}
+
 // Newton's method: L d = -(K - target). Along d the norm of the error falls at first, so that a step that shrinks it is
 // always found, but for rounding. Once the tolerance is reached, full steps with the last factorisation go on as long as
 // they halve the error, down to a hundredth of it: what is left at the vertices adds up along loops.
-void newton(Flow& flow, Laplacian_solver& laplacian, const Cone_metric_options& options, Visitor& visitor)
+// \param first the direction of the first step, or empty
+void newton(Flow& flow, Eigen::VectorXd first, Laplacian_solver& laplacian, const Cone_metric_options& options,
+            Visitor& visitor)
 {
   Cone_metric& m = flow.metric;
   Eigen::VectorXd error = curvature_error(m, evaluate(flow, m.u));
@@ -83,13 +143,15 @@ void newton(Flow& flow, Laplacian_solver& laplacian, const Cone_metric_options& 
     if (!visitor.go_further()) throw Cancelled_error("stopped during the discrete Ricci flow");
     const bool polishing = m.flow.history.back() <= m.flow.tolerance;
     const bool near = m.flow.history.back() < near_error;
-    if (!polishing || !factorized) {
+    const bool is_given = first.size() > 0;
+    if (!is_given && (!polishing || !factorized)) {
       const std::vector<double> weights = cotangent_weights(m.triangulation, m.lengths);
       near ? laplacian.update(m.triangulation, weights) : laplacian.factorize(m.triangulation, weights);
       factorized = true;
     }
     // the errors add up to zero (Gauss-Bonnet) but for rounding, which is spread evenly
-    Eigen::VectorXd direction = -laplacian.solve((error.array() - error.mean()).matrix()).col(0);
+    Eigen::VectorXd direction = is_given ? std::exchange(first, Eigen::VectorXd())
+                                         : -laplacian.solve((error.array() - error.mean()).matrix()).col(0);
     direction.array() -= direction.mean();
     const double longest = largest(direction), shortest_step = polishing ? 0.75 : 1e-8;
     bool accepted = false;
@@ -103,6 +165,7 @@ void newton(Flow& flow, Laplacian_solver& laplacian, const Cone_metric_options& 
         m.u = u;
       }
     }
+    if (!accepted && is_given) continue;
     if (!accepted) {   // stagnation: rounding is reached
       error = curvature_error(m, evaluate(flow, m.u));
       break;
@@ -116,8 +179,8 @@ void newton(Flow& flow, Laplacian_solver& laplacian, const Cone_metric_options& 
 }
 
 Flow flow_of(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor,
-             const Cone_metric* warm_start, Laplacian_solver& laplacian, const Cone_metric_options& options,
-             Visitor& visitor)
+             const Cone_metric* warm_start, const Laplacian_solver* factorized, Laplacian_solver& laplacian,
+             const Cone_metric_options& options, Visitor& visitor)
 {
   Inserted_cones inserted = internal::insert_cones(t, cochains, divisor);
   Flow flow;
@@ -138,7 +201,9 @@ Flow flow_of(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
   }
   m.lengths.resize(m.triangulation.number_of_edges());
   m.flow.tolerance = options.curvature_tolerance > 0 ? options.curvature_tolerance : 1e-11 + 1e-15 * static_cast<double>(n);
-  newton(flow, laplacian, options, visitor);
+  Eigen::VectorXd first;
+  if (warm_start == nullptr && factorized != nullptr) first = first_direction(t, divisor, m, *factorized);
+  newton(flow, first, laplacian, options, visitor);
   return flow;
 }
 
@@ -205,17 +270,19 @@ double max_transition_error(const Intrinsic_triangulation& t, const std::vector<
 }
 
 Cone_metric cone_metric(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor,
-                        const Cone_metric* warm_start, const Cone_metric_options& options, Visitor& visitor)
+                        const Cone_metric* warm_start, const Cone_metric_options& options, Visitor& visitor,
+                        const Laplacian_solver* factorized)
 {
   Laplacian_solver laplacian;
-  return flow_of(t, cochains, divisor, warm_start, laplacian, options, visitor).metric;
+  if (factorized != nullptr) laplacian.set_order_of(*factorized);
+  return flow_of(t, cochains, divisor, warm_start, factorized, laplacian, options, visitor).metric;
 }
 
 Eigen::MatrixXd holonomy_jacobian(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
                                   const Divisor& divisor, const Cone_metric_options& options, Visitor& visitor)
 {
   Laplacian_solver laplacian;
-  const Flow flow = flow_of(t, cochains, divisor, nullptr, laplacian, options, visitor);
+  const Flow flow = flow_of(t, cochains, divisor, nullptr, nullptr, laplacian, options, visitor);
   return jacobian(flow, laplacian);
 }
 
@@ -230,7 +297,7 @@ Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Inte
   if (factorized != nullptr) laplacian.set_order_of(*factorized);
   const auto first_flow = [&] {
     const internal::Timed_step step(visitor, "cone_metric");
-    return flow_of(t, cochains, divisor, nullptr, laplacian, options, visitor);
+    return flow_of(t, cochains, divisor, nullptr, factorized, laplacian, options, visitor);
   };
   Flow flow = first_flow();
   result.first_flow = flow.metric.flow;
@@ -248,7 +315,7 @@ Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Inte
       if (!move_off_vertices(flow.frozen, result.divisor))
         throw Infeasible_divisor_error("the singularities that may move cannot make the holonomy exact "
                                        "(rank of the Jacobian below 2g): pin fewer of them");
-      flow = flow_of(t, cochains, result.divisor, &flow.metric, laplacian, options, visitor);
+      flow = flow_of(t, cochains, result.divisor, &flow.metric, nullptr, laplacian, options, visitor);
       defect = quarter_turn_defects(turning(flow));
       j = jacobian(flow, laplacian);
     }
@@ -258,7 +325,7 @@ Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Inte
       Divisor tried = result.divisor;
       std::vector<double> moved_by = result.moved_by;
       move_cones(t, step * full_step, tried, moved_by);
-      Flow tried_flow = flow_of(t, cochains, tried, &flow.metric, laplacian, options, visitor);
+      Flow tried_flow = flow_of(t, cochains, tried, &flow.metric, nullptr, laplacian, options, visitor);
       const Eigen::VectorXd tried_defect = quarter_turn_defects(turning(tried_flow));
       accepted = tried_flow.metric.flow.is_near() && tried_defect.norm() < defect.norm();
       if (!accepted) continue;

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -24,25 +26,57 @@ bool same_pattern(const Sparse_matrix& a, const Sparse_matrix& b)
       && std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
 }
 
+struct Entry
+{
+  int    row;
+  double value;
+};
+
+// The square matrix of which column k has the entries first[k] .. first[k+1]-1; those of one row are summed up.
+Sparse_matrix compressed(const std::vector<int>& first, std::vector<Entry>& entries)
+{
+  const int n = static_cast<int>(first.size()) - 1;
+  Sparse_matrix m(n, n);
+  m.reserve(static_cast<Eigen::Index>(entries.size()));
+  for (int column = 0; column < n; ++column) {
+    const auto begin = entries.begin() + first[column], end = entries.begin() + first[column + 1];
+    std::sort(begin, end, [](const Entry& a, const Entry& b) { return a.row < b.row; });
+    m.startVec(column);
+    for (auto entry = begin; entry != end; ) {
+      double& sum = m.insertBack(entry->row, column) = 0;
+      for (const int row = entry->row; entry != end && entry->row == row; ++entry) sum += entry->value;
+    }
+  }
+  m.finalize();
+  return m;
+}
+
 // Lower triangle of the Laplacian plus a diagonal, without the rows and columns of the first `grounded` vertices.
 Sparse_matrix lower_laplacian(const Intrinsic_triangulation& t, const std::vector<double>& weights,
                               std::vector<double> diagonal, int grounded)
 {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(t.number_of_edges() + t.number_of_vertices());
-  for (Edge e : t.edges()) {
+  const int n = static_cast<int>(t.number_of_vertices()) - grounded;
+  const auto ends = [&](Edge e) {   // as row and column, which are negative where a vertex is grounded
     const int i = static_cast<int>(t.source(t.halfedge(e)).idx()), j = static_cast<int>(t.target(t.halfedge(e)).idx());
-    if (i == j) continue;   // a loop edge has no part in the energy of a function of vertices
-    diagonal[i] += weights[e];
-    diagonal[j] += weights[e];
-    const auto [low, high] = std::minmax(i, j);
-    if (low >= grounded) entries.emplace_back(high - grounded, low - grounded, -weights[e]);
+    return std::make_pair(std::max(i, j) - grounded, std::min(i, j) - grounded);
+  };
+  std::vector<int> first(n + 1, 1);     // by column; one place for the diagonal
+  for (Edge e : t.edges())
+    if (const auto [row, column] = ends(e); row != column && column >= 0) ++first[column];
+  std::exclusive_scan(first.begin(), first.end(), first.begin(), 0);
+
+  std::vector<Entry> entries(first[n]);
+  std::vector<int> next(first.begin(), first.end() - 1);
+  for (int v = 0; v < n; ++v) entries[next[v]++] = {v, 0};
+  for (Edge e : t.edges()) {
+    const auto [row, column] = ends(e);
+    if (row == column) continue;   // a loop edge has no part in the energy of a function of vertices
+    diagonal[row + grounded] += weights[e];
+    diagonal[column + grounded] += weights[e];
+    if (column >= 0) entries[next[column]++] = {row, -weights[e]};
   }
-  const int n = static_cast<int>(t.number_of_vertices());
-  for (int v = grounded; v < n; ++v) entries.emplace_back(v - grounded, v - grounded, diagonal[v]);
-  Sparse_matrix l(n - grounded, n - grounded);
-  l.setFromTriplets(entries.begin(), entries.end());
-  return l;
+  for (int v = 0; v < n; ++v) entries[first[v]].value = diagonal[v + grounded];
+  return compressed(first, entries);
 }
 
 } // namespace

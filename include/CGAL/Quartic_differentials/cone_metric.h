@@ -84,10 +84,13 @@ struct Cone_metric
 /// Always returns: whether the tolerance was reached stands in `flow`.
 /// \param t Delaunay triangulation; \param cochains its homology basis
 /// \param warm_start the same divisor's metric for nearby positions, or null
+/// \param factorized the factorised Laplacian of `t`, or null: it spares the first step's factorisation, and its order of
+///        elimination is used again
 /// \throws Infeasible_divisor_error if two singularities take the same vertex
 /// Complexity: one sparse factorisation a Newton step.
 Cone_metric cone_metric(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor,
-                        const Cone_metric* warm_start, const Cone_metric_options& options, Visitor& visitor);
+                        const Cone_metric* warm_start, const Cone_metric_options& options, Visitor& visitor,
+                        const Laplacian_solver* factorized = nullptr);
 
 /// A cone metric whose holonomy is exact, and how it was reached.
 struct Exact_cone_metric
@@ -107,7 +110,7 @@ struct Exact_cone_metric
 ///
 /// The first metric is only as good as the linear theory; two or three steps reach rounding. (METHOD, step 6: past the
 /// paper, which accepts 0.1 to 0.3 degrees.) Always returns: see `reached`.
-/// \param factorized the factorised Laplacian of `t`, whose order of elimination is used again, or null
+/// \param factorized as in `cone_metric()`
 /// \throws Infeasible_divisor_error if singularities run into each other
 /// Complexity: a warm-started flow and 2g back-substitutions a step.
 Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
