@@ -53,7 +53,7 @@ bool is_one_sentence(const std::string& text)
 void check_refused(const std::string& kind, const std::string& file)
 {
   const std::set<std::string> before = folder.names();
-  const Outcome o = folder.quartic("run " + file + " -o results");
+  const Outcome o = folder.quartic("run " + file + " -o results -q");
   const bool good = o.status == 2 && is_one_sentence(o.err) && o.out.empty() && o.cpu_seconds < 1;
   if (!good)
     std::cerr << kind << ", " << file << ": status " << o.status << ", " << o.cpu_seconds << " s, " << o.err.substr(0, 500)
@@ -247,6 +247,10 @@ void check_off()
   refused_as("off", "four dimensions", "4" + good);
   refused_as("off", "binary in name only", replaced(good, "OFF", "OFF BINARY"));
   read_as("off", "comments", "# a comment\n" + replaced(good, "\n1 0 0", " # one\n# another\n1 0 0"));
+  for (const std::string announced : {"ST", "C", "N", "STC", "STN", "CN", "STCN"}) {
+    read_as("off", announced + " announced, but not there", announced + good);
+    read_as("off", announced + " announced, one number there", announced + replaced(good, "\n1 0 0", "\n1 0 0 7"));
+  }
   read_as("off", "colours of faces", replaced(good, "3 0 2 1", "3 0 2 1 255 0 0"));
 }
 

@@ -39,8 +39,9 @@ struct Bounded_vector : std::vector<T>
   }
 };
 
-// CGAL's OFF reader looks up colours unchecked; without the C in "COFF" it skips them.
-void drop_colours(std::string& off)
+// CGAL's OFF reader looks up colours, normals and texture coordinates unchecked; without the letters that announce them,
+// as in "STCNOFF", it skips them.
+void drop_announcements(std::string& off)
 {
   std::istringstream in(off);
   std::string line, keyword;
@@ -50,9 +51,11 @@ void drop_colours(std::string& off)
     if (words >> keyword && keyword[0] != '#') break;
     start = static_cast<std::size_t>(in.tellg());
   }
-  const std::size_t c = keyword.compare(0, 2, "ST") == 0 ? 2 : 0;
+  std::size_t letters = keyword.compare(0, 2, "ST") == 0 ? 2 : 0;
+  for (char letter : {'C', 'N'})
+    if (letters < keyword.size() && keyword[letters] == letter) ++letters;
   const bool binary = line.find("BINARY") != std::string::npos;
-  if (!binary && keyword.size() > c && keyword[c] == 'C') off.erase(off.find('C', start), 1);
+  if (!binary && letters > 0) off.erase(off.find(keyword, start), letters);
 }
 
 std::string number_of_first_line_with_a_non_finite_number(const std::string& text)
@@ -125,7 +128,7 @@ Polygon_soup parse_vtp(const std::string& contents)
 Polygon_soup parse_polygon_soup(std::string contents, const std::string& format)
 {
   if (format == "vtp") return parse_vtp(contents);
-  if (format == "off") drop_colours(contents);
+  if (format == "off") drop_announcements(contents);
   if (format == "ply") check_ply_layout(contents);
   if (format == "stl") check_binary_stl(contents);
 

@@ -33,8 +33,9 @@ const json& list_of(const json& value, const std::string& place)
   return value;
 }
 
-// a number or a word as it is written; of lists, which may be nested without end, only that they are
-std::string shown(const json& value) { return value.is_structured() ? value.type_name() : value.dump(); }
+// a number or a word as it is written; of what may be nested without end only what it is
+std::string shown(const json& value)
+{ return value.is_array() ? "a list" : value.is_object() ? "an object" : value.dump(); }
 
 // below `limit`, so that a broken id cannot ask for memory without end
 int index(const json& value, std::size_t limit, const std::string& place)
