@@ -81,8 +81,9 @@ struct Quantization
 /// disk with at most one singularity, must have that in every quantization; the others may cut off valid ones, and then
 /// optimality is not claimed.
 ///
-/// \pre `options.number_of_quads` is positive and below 10^8; `defect()` of the T-mesh is empty
-/// \throws Infeasible_divisor_error if there is a singularity of order -3, which no quad mesh has, or no patch
+/// \pre `options.number_of_quads` is positive; `defect()` of the T-mesh is empty
+/// \throws Infeasible_divisor_error if there is a singularity of order -3, which no quad mesh has, or no patch,
+///         or if more than 10^7 quads are asked for
 /// \throws Numerical_error if the linear program fails
 /// \throws Cancelled_error
 /// Complexity: measured, not bounded: a few integer programs with 9 variables an arc, each linear in the quads beside.
