@@ -28,6 +28,8 @@ std::string edge_name(std::size_t triangle, int edge)
   return "edge " + std::to_string(edge) + " of triangle " + std::to_string(triangle);
 }
 
+bool is_unglued(const std::array<int, 2>& opposite) { return opposite == std::array<int, 2>{-1, -1}; }
+
 void check_gluing(const Glued_triangles& s)
 {
   const int n = static_cast<int>(s.triangles.size());
@@ -37,17 +39,18 @@ void check_gluing(const Glued_triangles& s)
   for (int t = 0; t < n; ++t) {
     for (int e = 0; e < 3; ++e) {
       const auto [u, f] = s.opposite[t][e];
+      if (s.triangles[t][e] < 0) throw Unusable_surface_error("triangle " + std::to_string(t) + " has a negative vertex");
+      if (!(s.lengths[t][e] > 0) || !std::isfinite(s.lengths[t][e]))
+        throw Unusable_surface_error(edge_name(t, e) + " has no positive finite length");
+      if (is_unglued(s.opposite[t][e])) continue;
       if (u < 0 || u >= n || f < 0 || f > 2)
         throw Unusable_surface_error(edge_name(t, e) + " is glued to something that does not exist");
-      if (s.triangles[t][e] < 0) throw Unusable_surface_error("triangle " + std::to_string(t) + " has a negative vertex");
       if ((u == t && f == e) || s.opposite[u][f] != std::array<int, 2>{t, e})
         throw Unusable_surface_error(edge_name(t, e) + " is not glued to exactly one other edge");
       if (s.triangles[t][e] != s.triangles[u][(f + 1) % 3] || s.triangles[t][(e + 1) % 3] != s.triangles[u][f])
         throw Unusable_surface_error(edge_name(t, e) + " is glued to an edge with other end points");
       if (s.lengths[t][e] != s.lengths[u][f])
         throw Unusable_surface_error(edge_name(t, e) + " is glued to an edge of another length");
-      if (!(s.lengths[t][e] > 0) || !std::isfinite(s.lengths[t][e]))
-        throw Unusable_surface_error(edge_name(t, e) + " has no positive finite length");
     }
     if (!triangle_inequality_holds(s.lengths[t]))
       throw Unusable_surface_error("triangle " + std::to_string(t) + " violates the triangle inequality");
@@ -63,6 +66,7 @@ Intrinsic_triangulation::Intrinsic_triangulation(Mesh mesh)
     const Halfedge h = m_mesh.halfedge(e);
     m_length[e] = std::sqrt(CGAL::squared_distance(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))));
   }
+  hold_borders();
 }
 
 Intrinsic_triangulation::Intrinsic_triangulation(const Glued_triangles& s)
@@ -79,7 +83,7 @@ Intrinsic_triangulation::Intrinsic_triangulation(const Glued_triangles& s)
       const auto [u, f] = s.opposite[t][e];
       if (side[t][e] != Mesh::null_halfedge()) continue;
       side[t][e] = m_mesh.add_edge();
-      side[u][f] = m_mesh.opposite(side[t][e]);
+      if (!is_unglued(s.opposite[t][e])) side[u][f] = m_mesh.opposite(side[t][e]);
       m_length.push_back(s.lengths[t][e]);
     }
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
@@ -93,15 +97,55 @@ Intrinsic_triangulation::Intrinsic_triangulation(const Glued_triangles& s)
       m_mesh.set_halfedge(v, side[t][e]);
     }
   }
+  // a border halfedge leads to the border halfedge at the other end of the fan of faces round its target
+  for (std::size_t t = 0; t < s.triangles.size(); ++t)
+    for (int e = 0; e < 3; ++e) {
+      if (!is_unglued(s.opposite[t][e])) continue;
+      const Halfedge border = m_mesh.opposite(side[t][e]);
+      m_mesh.set_target(border, Vertex(s.triangles[t][e]));
+      Halfedge last = side[t][e];
+      do last = m_mesh.opposite(m_mesh.prev(last)); while (!m_mesh.is_border(last));
+      m_mesh.set_next(border, last);
+    }
+  hold_borders();
   const std::string defect = structural_defect(*this);
   if (!defect.empty()) throw Unusable_surface_error(defect);
+}
+
+void Intrinsic_triangulation::hold_borders()
+{
+  for (Halfedge h : halfedges())
+    if (is_border(h)) m_mesh.set_halfedge(target(h), h);
+}
+
+bool Intrinsic_triangulation::has_boundary() const
+{
+  return std::any_of(halfedges().begin(), halfedges().end(), [&](Halfedge h) { return is_border(h); });
+}
+
+std::vector<std::vector<Halfedge>> Intrinsic_triangulation::boundary_curves() const
+{
+  std::vector<std::vector<Halfedge>> curves;
+  std::vector<char> seen(number_of_edges(), false);
+  for (Edge e : edges()) {
+    if (!is_border(e) || seen[e]) continue;
+    curves.emplace_back();
+    const Halfedge first = is_border(halfedge(e)) ? opposite(halfedge(e)) : halfedge(e);
+    Halfedge h = first;
+    do {
+      seen[edge(h)] = true;
+      curves.back().push_back(h);
+      h = next_on_boundary(h);
+    } while (h != first);
+  }
+  return curves;
 }
 
 int Intrinsic_triangulation::genus() const
 {
   const long chi = static_cast<long>(number_of_vertices()) - static_cast<long>(number_of_edges())
                  + static_cast<long>(number_of_faces());
-  return static_cast<int>((2 - chi) / 2);
+  return static_cast<int>((2 - chi - number_of_boundary_curves()) / 2);
 }
 
 int Intrinsic_triangulation::corner(Halfedge h) const
@@ -160,10 +204,32 @@ Intrinsic_triangulation::Insertion Intrinsic_triangulation::insert(const Surface
   return result;
 }
 
+Intrinsic_triangulation::Boundary_split Intrinsic_triangulation::split_boundary_edge(Halfedge h, double fraction)
+{
+  CGAL_precondition(!is_border(h) && is_border(opposite(h)) && 0 < fraction && fraction < 1);
+  const Halfedge border = opposite(h), to_apex = next(h);
+  const double whole = length(h), back = length(prev(h)), across = length(to_apex);
+  const double foot = (whole * whole + back * back - across * across) / (2 * whole);
+  const double height = four_times_area(whole, back, across) / (2 * whole);
+
+  Boundary_split split;
+  split.second = opposite(CGAL::Euler::split_edge(border, m_mesh));   // border becomes the border of v0 p
+  split.first = h;
+  split.vertex = source(split.second);
+  m_mesh.set_halfedge(split.vertex, opposite(split.second));
+  m_mesh.set_halfedge(target(split.second), prev(opposite(split.second)));
+  split.spoke = CGAL::Euler::split_face(h, to_apex, m_mesh);
+  m_length.resize(number_of_edges());
+  m_length[edge(split.first)] = fraction * whole;
+  m_length[edge(split.second)] = (1 - fraction) * whole;
+  m_length[edge(split.spoke)] = std::hypot(foot - fraction * whole, height);
+  return split;
+}
+
 std::string structural_defect(const Intrinsic_triangulation& t)
 {
   for (Halfedge h : t.halfedges()) {
-    if (t.next(t.next(t.next(h))) != h) return "halfedge " + std::to_string(h.idx()) + " is not in a triangle";
+    if (!t.is_border(h) && t.next(t.next(t.next(h))) != h) return "halfedge " + std::to_string(h.idx()) + " is not in a triangle";
     if (t.prev(t.next(h)) != h) return "halfedge " + std::to_string(h.idx()) + " is not before its next";
     if (t.face(t.next(h)) != t.face(h)) return "halfedge " + std::to_string(h.idx()) + " changes its face";
     if (t.source(t.next(h)) != t.target(h)) return "halfedge " + std::to_string(h.idx()) + " changes its vertex";
@@ -171,7 +237,11 @@ std::string structural_defect(const Intrinsic_triangulation& t)
   for (Face f : t.faces())
     if (t.face(t.halfedge(f)) != f) return "face " + std::to_string(f.idx()) + " does not hold its halfedge";
   std::vector<std::size_t> outgoing(t.number_of_vertices(), 0);
-  for (Halfedge h : t.halfedges()) ++outgoing[t.source(h)];
+  for (Halfedge h : t.halfedges()) {
+    ++outgoing[t.source(h)];
+    if (t.is_border(h) && !t.is_border(t.target(h)))
+      return "vertex " + std::to_string(t.target(h).idx()) + " does not hold its border halfedge";
+  }
   for (Vertex v : t.vertices()) {
     if (outgoing[v] == 0) return "vertex " + std::to_string(v.idx()) + " is not used by any triangle";
     const Halfedge first = t.halfedge_from(v);

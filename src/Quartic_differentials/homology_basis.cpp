@@ -18,26 +18,6 @@ namespace {
 using internal::Integer;
 using Integer_vector = std::vector<Integer>;
 
-// The loop that leaves the face of h through h and comes back through the cotree.
-std::vector<Halfedge> dual_loop(const Intrinsic_triangulation& t, const internal::Tree_cotree& trees, Halfedge h)
-{
-  std::vector<Halfedge> there, back;
-  Face a = t.face(t.opposite(h)), b = t.face(h);
-  while (a != b) {
-    if (trees.face_depth[a] >= trees.face_depth[b]) {
-      there.push_back(t.opposite(trees.face_parent[a]));
-      a = t.face(trees.face_parent[a]);
-    } else {
-      back.push_back(trees.face_parent[b]);
-      b = t.face(trees.face_parent[b]);
-    }
-  }
-  std::vector<Halfedge> loop{h};
-  loop.insert(loop.end(), there.begin(), there.end());
-  loop.insert(loop.end(), back.rbegin(), back.rend());
-  return loop;
-}
-
 Integer product(const Integer_vector& x, const Eigen::MatrixXi& j, const Integer_vector& y)
 {
   Integer sum = 0;
@@ -140,6 +120,8 @@ Eigen::MatrixXi intersection_numbers(const Intrinsic_triangulation& t, const Int
 
 Homology_basis homology_basis(const Intrinsic_triangulation& t)
 {
+  if (t.has_boundary())
+    throw Unusable_surface_error("the surface has a boundary: its homology has no canonical basis of loops");
   const internal::Tree_cotree trees = internal::tree_cotree(t, t.lengths(), *t.vertices().begin());
   const int n = 2 * t.genus();
   CGAL_precondition(static_cast<int>(trees.generators.size()) == n);
@@ -147,7 +129,7 @@ Homology_basis homology_basis(const Intrinsic_triangulation& t)
   Homology_basis basis;
   Integer_cochains of_loops(t.number_of_edges(), n);
   for (int k = 0; k < n; ++k) {
-    basis.loops.push_back(dual_loop(t, trees, t.halfedge(trees.generators[k])));
+    basis.loops.push_back(internal::dual_loop(t, trees, t.halfedge(trees.generators[k])));
     for (Halfedge h : basis.loops[k]) of_loops.add(h, k, 1);
   }
   const Eigen::MatrixXi j = intersection_numbers(t, of_loops, basis.loops);

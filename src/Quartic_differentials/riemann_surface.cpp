@@ -4,8 +4,11 @@
 
 #include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
 #include <CGAL/Quartic_differentials/riemann_surface.h>
+
+#include <string>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -25,6 +28,9 @@ void add_harmonic_forms(Riemann_surface& s)
 
 Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor, Homology_choice choice)
 {
+  if (const int b = input.number_of_boundary_curves(); b > 0)
+    throw Unusable_surface_error("surfaces with boundary are not supported yet: this one has " + std::to_string(b)
+                                 + (b == 1 ? " boundary curve" : " boundary curves"));
   Riemann_surface s;
   {
     const Timed_step step(visitor, "homology");

@@ -124,7 +124,7 @@ Glued_triangles subdivided(const Glued_triangles& s)
   for (int t = 0; t < n; ++t)
     for (int e = 0; e < 3; ++e) {
       const auto [u, f] = s.opposite[t][e];
-      const bool first = u > t || (u == t && f > e);
+      const bool first = u < 0 || u > t || (u == t && f > e);
       middle[t][e] = first ? vertices++ : middle[u][f];
     }
 
@@ -136,10 +136,12 @@ Glued_triangles subdivided(const Glued_triangles& s)
     // the first half of edge e meets the second half of the edge (u, f) it is glued to, and conversely
     const auto across_first_half = [&](int e) -> std::array<int, 2> {
       const auto [u, f] = s.opposite[t][e];
+      if (u < 0) return {-1, -1};
       return {4 * u + (f + 1) % 3, 2};
     };
     const auto across_second_half = [&](int e) -> std::array<int, 2> {
       const auto [u, f] = s.opposite[t][e];
+      if (u < 0) return {-1, -1};
       return {4 * u + f, 0};
     };
     for (int c = 0; c < 3; ++c) {

@@ -6,6 +6,7 @@
 // so.
 
 #include "check.h"
+#include "glued_triangles.h"
 #include "run_pipeline.h"
 #include "run_program.h"
 #include "square_tiled_surfaces.h"
@@ -40,30 +41,13 @@
 #include <vector>
 
 using namespace CGAL::Quartic_differentials;
+using Quartic_test::glued_triangles;
 
 namespace {
 
 const double pi = std::acos(-1.0);
 
 // ---- a surface in space, and the same without positions
-
-Glued_triangles glued_triangles(const Intrinsic_triangulation& t)
-{
-  Glued_triangles s;
-  for (Face f : t.faces()) {
-    s.triangles.emplace_back();
-    s.opposite.emplace_back();
-    s.lengths.emplace_back();
-    for (Halfedge h : t.halfedges(f)) {
-      const int e = t.corner(h);
-      const Halfedge o = t.opposite(h);
-      s.triangles.back()[e] = static_cast<int>(t.source(h).idx());
-      s.opposite.back()[e] = {static_cast<int>(t.face(o).idx()), t.corner(o)};
-      s.lengths.back()[e] = t.length(h);
-    }
-  }
-  return s;
-}
 
 // The same edges and halfedges, with the positions of the vertices.
 Intrinsic_triangulation placed_in_space(const Intrinsic_triangulation& lengths, const Mesh& positions)

@@ -195,6 +195,9 @@ void check_json()
   CHECK_REFUSED("b.json", replaced(good, "[1,1,1]]", "[1,1,\"x\"]]"), "lengths[1] holds \"x\"");
   CHECK_REFUSED("b.json", replaced(good, "[[1,1,1]", "[[1,1,5]"), "another length");
   CHECK_REFUSED("b.json", replaced(good, "[[1,2]", "[[1,1]"), "not glued to exactly one other edge");
+  CHECK_REFUSED("b.json", replaced(good, "[[1,2]", "[[-1,2]"), "not an index below 2");
+  CHECK_REFUSED("open.json", R"({"triangles":[[0,1,2]],"opposite":[[[-1,-1],[-1,-1],[-1,-1]]],"lengths":[[1,1,1]]})",
+                "surfaces with boundary are not supported yet: edge 0 of triangle 0 is glued to nothing");
   CHECK_REFUSED("two.json", R"({"triangles":[[0,1,2],[0,2,1],[3,4,5],[3,5,4]],"opposite":[[[1,2],[1,1],[1,0]],)"
     R"([[0,2],[0,1],[0,0]],[[3,2],[3,1],[3,0]],[[2,2],[2,1],[2,0]]],"lengths":[[1,1,1],[1,1,1],[1,1,1],[1,1,1]]})",
     "the surface has 2 components: vertex 3");

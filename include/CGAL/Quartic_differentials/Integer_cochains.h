@@ -13,7 +13,8 @@ namespace CGAL {
 namespace Quartic_differentials {
 
 /// Closed integer 1-forms eta_1 .. eta_n: eta_k(h) counts the crossings of a loop gamma_k of the dual graph with the
-/// halfedge h, +1 where the loop leaves the face of h through h, and eta_k(opposite h) = -eta_k(h).
+/// halfedge h, +1 where the loop leaves the face of h through h, and eta_k(opposite h) = -eta_k(h). On a surface with
+/// boundary gamma_k may be an arc, which comes in through a border halfedge and goes out through a boundary edge.
 /// They ride along flips and insertions, so that no loop is ever re-routed. (METHOD, step 1)
 class Integer_cochains
 {
@@ -42,6 +43,15 @@ public:
     set_row(i.spoke[0], Eigen::RowVectorXi::Zero(size()));
     set_row(i.spoke[1], row(i.rim[0]));
     set_row(i.spoke[2], -row(i.rim[2]));
+  }
+
+  /// extends the forms to the halves of a boundary edge v0 v1: 0 on v0 p
+  void after_boundary_split(const Intrinsic_triangulation& t, const Intrinsic_triangulation::Boundary_split& s)
+  {
+    m_value.conservativeResize(t.number_of_edges(), Eigen::NoChange);
+    set_row(s.second, row(s.first));
+    set_row(s.first, Eigen::RowVectorXi::Zero(size()));
+    set_row(s.spoke, -row(t.next(s.spoke)));
   }
 
 private:

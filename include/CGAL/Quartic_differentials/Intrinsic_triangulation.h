@@ -40,7 +40,7 @@ struct Surface_point
 struct Glued_triangles
 {
   std::vector<std::array<int, 3>>                 triangles;  ///< vertex ids
-  std::vector<std::array<std::array<int, 2>, 3>>  opposite;   ///< {triangle, edge} glued to each edge
+  std::vector<std::array<std::array<int, 2>, 3>>  opposite;   ///< {triangle, edge} glued to each edge; {-1, -1}: boundary
   std::vector<std::array<double, 3>>              lengths;
 };
 
@@ -54,8 +54,11 @@ struct Edge_flip
   bool     ptolemy;   ///< the new length is Ptolemy's (ideal), otherwise the Euclidean diagonal
 };
 
-/// A closed oriented surface glued from Euclidean triangles: a `Surface_mesh` used as a Delta-complex
+/// A compact oriented surface glued from Euclidean triangles: a `Surface_mesh` used as a Delta-complex
 /// (edges may be parallel, or loops; a face may be glued to itself), with a length for every edge.
+///
+/// It is closed, or has boundary curves. A boundary edge has a halfedge in a face, along which the surface lies on the
+/// left, and a *border* halfedge, which has no face.
 ///
 /// Indices are never removed or renumbered; a flip keeps the index of its edge and of the four halfedges
 /// round it; an insertion appends. Data that ride along are vectors indexed by descriptors.
@@ -66,12 +69,12 @@ public:
   Intrinsic_triangulation() = default;
 
   /// takes the lengths from the positions in space.
-  /// \pre `mesh` is a closed triangle mesh without removed elements
+  /// \pre `mesh` is a triangle mesh without removed elements; the faces round a vertex form one circle or one fan
   explicit Intrinsic_triangulation(Mesh mesh);
 
   /// glues triangles along their edges.
   /// \throws Unusable_surface_error if the gluing is not an orientation reversing involution that respects
-  ///         vertices and lengths, a triangle inequality fails, or the link of a vertex is not one circle
+  ///         vertices and lengths, a triangle inequality fails, or the link of a vertex is not one circle or one path
   explicit Intrinsic_triangulation(const Glued_triangles& glued);
 
   const Mesh& mesh() const { return m_mesh; }
@@ -81,7 +84,14 @@ public:
   std::size_t number_of_edges()     const { return m_mesh.number_of_edges(); }
   std::size_t number_of_halfedges() const { return m_mesh.number_of_halfedges(); }
   std::size_t number_of_faces()     const { return m_mesh.number_of_faces(); }
+  /// g, with V - E + F = 2 - 2g - b. Complexity: linear.
   int genus() const;
+  /// b. Complexity: linear.
+  int number_of_boundary_curves() const { return static_cast<int>(boundary_curves().size()); }
+  /// whether there is a boundary. Complexity: linear.
+  bool has_boundary() const;
+  /// every boundary curve, as the halfedges in faces along it, one after the other. Complexity: linear.
+  std::vector<std::vector<Halfedge>> boundary_curves() const;
 
   Mesh::Vertex_range   vertices()  const { return m_mesh.vertices(); }
   Mesh::Halfedge_range halfedges() const { return m_mesh.halfedges(); }
@@ -99,14 +109,22 @@ public:
   Halfedge halfedge(Edge e)     const { return Halfedge(2 * e.idx()); }
   Halfedge halfedge(Face f)     const { return m_mesh.halfedge(f); }
 
-  /// a halfedge whose source is v
+  bool is_border(Halfedge h) const { return m_mesh.is_border(h); }
+  bool is_border(Edge e)     const { return is_border(halfedge(e)) || is_border(opposite(halfedge(e))); }
+  bool is_border(Vertex v)   const { return is_border(m_mesh.halfedge(v)); }
+  /// the next and the previous halfedge along a boundary curve. \pre h is in a face, its opposite a border halfedge
+  Halfedge next_on_boundary(Halfedge h)     const { return opposite(prev(opposite(h))); }
+  Halfedge previous_on_boundary(Halfedge h) const { return opposite(next(opposite(h))); }
+
+  /// a halfedge whose source is v and which is in a face: the first one of the fan of faces if v is on the boundary
   Halfedge halfedge_from(Vertex v) const { return m_mesh.opposite(m_mesh.halfedge(v)); }
-  /// the next halfedge from source(h), counterclockwise: it leaves through the face of h
+  /// the next halfedge from source(h), counterclockwise: it leaves through the face of h. After the last face of a
+  /// boundary vertex comes a border halfedge, and then the first of the fan.
   Halfedge next_around_source(Halfedge h) const { return m_mesh.opposite(m_mesh.prev(h)); }
   /// h0, h1, h2 of `Surface_point`
   std::array<Halfedge, 3> halfedges(Face f) const
   { const Halfedge h = m_mesh.halfedge(f), n = m_mesh.next(h); return {h, n, m_mesh.next(n)}; }
-  /// 0, 1 or 2: the corner of face(h) at source(h)
+  /// 0, 1 or 2: the corner of face(h) at source(h). \pre h is in a face
   int corner(Halfedge h) const;
 
   double length(Edge e)     const { return m_length[e]; }
@@ -120,7 +138,7 @@ public:
   /// the total area of the triangles
   double area() const;
 
-  /// \pre the faces on both sides of e are different
+  /// \pre e has two different faces: no boundary edge is ever flipped
   Edge_flip flip_of(Edge e, double new_length, bool ptolemy) const;
   /// replaces the edge ij by kl: afterwards halfedge ij runs from k to l, with (kl, lj, jk) and (lk, ki, il) as faces.
   void flip(const Edge_flip& flip);
@@ -134,11 +152,24 @@ public:
   };
   /// inserts a vertex in the interior of a face; the surface does not change.
   Insertion insert(const Surface_point& p);
+
+  /// The vertex p that was inserted on a boundary edge v0 v1 of a face (v0, v1, v2), and the halfedges round it.
+  struct Boundary_split
+  {
+    Vertex   vertex;
+    Halfedge first, second;   ///< v0 p, in the face that was there (p, v2, v0), and p v1, in the new face (p, v1, v2)
+    Halfedge spoke;           ///< p v2, in the face of `first`
+  };
+  /// inserts a vertex on a boundary edge, at the given fraction of its length from source(h); the surface does not change.
+  /// \pre h is in a face, its opposite a border halfedge; 0 < fraction < 1
+  Boundary_split split_boundary_edge(Halfedge h, double fraction);
   /// moves a vertex in space (only meaningful for embedded surfaces)
   void set_point(Vertex v, const Point_3& p) { m_mesh.point(v) = p; }
 
 private:
-  Mesh                m_mesh;
+  void hold_borders();
+
+  Mesh                m_mesh;   // a vertex of the boundary holds the border halfedge that ends there
   std::vector<double> m_length;
   bool                m_embedded = false;
 };
@@ -149,6 +180,17 @@ inline Surface_point at_vertex(const Intrinsic_triangulation& t, Vertex v)
   const Halfedge h = t.halfedge_from(v);
   Surface_point p{t.face(h)};
   p.barycentric[t.corner(h)] = 1;
+  return p;
+}
+
+/// the point of an edge at a fraction of its length from source(h), in the face of h: its coordinate opposite the edge is
+/// exactly 0
+inline Surface_point on_edge(const Intrinsic_triangulation& t, Halfedge h, double fraction)
+{
+  Surface_point p{t.face(h)};
+  const int k = t.corner(h);
+  p.barycentric[k] = 1 - fraction;
+  p.barycentric[(k + 1) % 3] = fraction;
   return p;
 }
 
@@ -175,7 +217,7 @@ FT four_times_area(FT a, FT b, FT c)
 }
 
 /// the angle at source(h) in face(h), for every halfedge and the given edge lengths, in their number type. [radians]
-/// Accurate for needles too (half-angle formula). Complexity: linear.
+/// Accurate for needles too (half-angle formula). 0 for border halfedges. Complexity: linear.
 /// \pre the lengths satisfy the triangle inequality in every face
 template <class FT>
 std::vector<FT> corner_angles(const Intrinsic_triangulation& t, const std::vector<FT>& lengths)
@@ -183,7 +225,7 @@ std::vector<FT> corner_angles(const Intrinsic_triangulation& t, const std::vecto
   using std::atan2;
   using std::sqrt;
   const auto root = [](const FT& x) { return x > 0 ? FT(sqrt(x)) : FT(0); };
-  std::vector<FT> angle(t.number_of_halfedges());
+  std::vector<FT> angle(t.number_of_halfedges(), FT(0));
   for (Face f : t.faces()) {
     const auto h = t.halfedges(f);
     const std::array<FT, 3> l{lengths[t.edge(h[0])], lengths[t.edge(h[1])], lengths[t.edge(h[2])]};
@@ -198,12 +240,16 @@ std::vector<FT> corner_angles(const Intrinsic_triangulation& t, const std::vecto
   return angle;
 }
 
-/// K_v = 2*pi minus the angles round v. [radians]
+/// K_v = 2*pi, or pi on the boundary, minus the angles round v. [radians]
 template <class FT>
 std::vector<FT> curvatures(const Intrinsic_triangulation& t, const std::vector<FT>& angles)
 {
-  std::vector<FT> k(t.number_of_vertices(), 2 * half_turn<FT>());
-  for (Halfedge h : t.halfedges()) k[t.source(h)] -= angles[h];
+  const FT pi = half_turn<FT>();
+  std::vector<FT> k(t.number_of_vertices(), 2 * pi);
+  for (Vertex v : t.vertices())
+    if (t.is_border(v)) k[v] = pi;
+  for (Halfedge h : t.halfedges())
+    if (!t.is_border(h)) k[t.source(h)] -= angles[h];
   return k;
 }
 

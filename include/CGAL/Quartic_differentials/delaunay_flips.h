@@ -51,7 +51,8 @@ FT ptolemy_diagonal(const FT& e, const FT& a, const FT& b, const FT& c, const FT
   return (a * c + b * d) / e;
 }
 
-/// flips edges until none is certified non-Delaunay, by Euclidean unfolding, and returns the number of flips.
+/// flips edges until none is certified non-Delaunay, by Euclidean unfolding, and returns the number of flips. Boundary
+/// edges are never flipped.
 /// Each rider's `before_flip(t, flip)` is called before the connectivity changes.
 /// \throws Numerical_error after 100 flips per edge
 template <class... Riders>
@@ -107,6 +108,7 @@ std::size_t flip_to_delaunay(Intrinsic_triangulation& t, bool ptolemy, Scaled sc
   while (!queue.empty()) {
     const Edge e = queue.pop();
     const Halfedge h = t.halfedge(e), o = t.opposite(h);
+    if (t.is_border(h) || t.is_border(o)) continue;   // what is on the boundary stays there
     if (t.face(h) == t.face(o)) continue;   // both sides are one face: the edge cannot be flipped, and is Delaunay
     const Edge a = t.edge(t.next(h)), b = t.edge(t.prev(h)), c = t.edge(t.next(o)), d = t.edge(t.prev(o));
     if (!certified_not_delaunay(scaled(e), scaled(a), scaled(b), scaled(c), scaled(d))) continue;

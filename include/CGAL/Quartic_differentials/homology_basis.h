@@ -39,6 +39,7 @@ struct Homology_basis
 /// The loops are short: the cotree is the maximal spanning tree for the length of the loop an edge closes
 /// (Erickson and Whittlesey 2005). The canonical basis is made from them by integer symplectic Gram-Schmidt.
 /// \pre the surface is connected
+/// \throws Unusable_surface_error if the surface has a boundary (see `relative_homology_basis()`)
 /// \throws Numerical_error if an integer leaves the 32-bit range or the intersection form is not unimodular
 /// Complexity: O(n log n + g n + g^3).
 Homology_basis homology_basis(const Intrinsic_triangulation& t);

@@ -45,7 +45,8 @@ struct Riemann_surface
 };
 
 /// computes steps 1 to 3 of the pipeline.
-/// \pre `input` is a closed connected surface
+/// \pre `input` is connected
+/// \throws Unusable_surface_error if `input` has a boundary
 /// Complexity: one sparse factorisation, 2g back-substitutions, O(n log n) for the rest; and that of
 /// `handle_tunnel_basis()` and `handle_tunnel_loops()` if their basis is chosen.
 Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor,

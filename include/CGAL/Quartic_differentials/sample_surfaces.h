@@ -10,8 +10,8 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// Closed surfaces of every genus for examples, tests and benchmarks. All are deterministic, oriented outward and
-// free of removed elements.
+// Surfaces of every genus for examples, tests and benchmarks, closed unless they are said to have a boundary. All are
+// deterministic, oriented outward and free of removed elements.
 
 /// a sphere with three soft bumps: genus 0, with 20 * 4^subdivisions faces.
 /// \pre `subdivisions >= 0`. Complexity: linear in the size of the result.
@@ -56,6 +56,19 @@ Glued_triangles regular_polygon(int g, int subdivisions);
 /// Square 1 is to the right of square 0, square 2 above it.
 /// \pre `subdivisions >= 0`. Complexity: linear in the size of the result. Source: METHOD, "Ground truth".
 Glued_triangles l_of_three_squares(int subdivisions);
+
+/// a flat disk of radius 1 with `holes` holes: genus 0, `holes` + 1 boundary curves. The triangles are those of `resolution`
+/// rings round the centre that keep clear of the holes, whose borders are jagged therefore.
+/// \pre `0 <= holes <= 5`, `resolution >= 12`. Complexity: O(resolution^2).
+Mesh plate(int holes, int resolution);
+
+/// the mesh without `count` disks, spread over it: triangles with a corner within `radius` * sqrt(area) along edges of one of
+/// `count` vertices are left out, and those that would hang on by a vertex or by one edge only. Every disk leaves a boundary
+/// curve.
+/// \pre `mesh` is a connected triangle mesh without removed elements, `count >= 1`
+/// \throws Unusable_surface_error if the disks meet each other or the boundary, or leave nothing
+/// Complexity: `count` shortest-path trees.
+Mesh with_disks_cut_out(const Mesh& mesh, int count, double radius);
 
 /// splits every triangle into four at the midpoints of its edges. The surface does not change. Old vertices keep
 /// their index; triangle t becomes 4t, ..., 4t+3, the one at its corner c being 4t+c.

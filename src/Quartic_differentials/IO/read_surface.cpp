@@ -329,6 +329,11 @@ Intrinsic_triangulation glued_surface(const std::string& contents)
 {
   const Glued_triangles s = read_surface_json(contents);
   Intrinsic_triangulation t(s);
+  for (std::size_t f = 0; f < s.triangles.size(); ++f)
+    for (int e = 0; e < 3; ++e)
+      if (s.opposite[f][e][0] < 0)
+        throw Unusable_surface_error("surfaces with boundary are not supported yet: edge " + std::to_string(e)
+                                     + " of triangle " + std::to_string(f) + " is glued to nothing");
   check_connected(s.opposite, [&](std::size_t f) { return "vertex " + std::to_string(s.triangles[f][0]); });
   check_lengths(t);
   return t;

@@ -86,7 +86,8 @@ Glued_triangles read_surface_json(const std::string& text)
     for (std::size_t e = 0; e < 3; ++e) {
       const json& glued_to = list_of<2>(opposite[t][e], in_opposite);
       s.triangles[t][e] = index(triangles[t][e], 3 * n, in_triangles);
-      s.opposite[t][e] = {index(glued_to[0], n, in_opposite), index(glued_to[1], 3, in_opposite)};
+      if (glued_to == json{-1, -1}) s.opposite[t][e] = {-1, -1};
+      else s.opposite[t][e] = {index(glued_to[0], n, in_opposite), index(glued_to[1], 3, in_opposite)};
       s.lengths[t][e] = number(lengths[t][e], in_lengths);
     }
   }

@@ -12,10 +12,56 @@ namespace CGAL {
 namespace Quartic_differentials {
 namespace internal {
 
+namespace {
+
+// Shortest paths, where the way along a boundary curve takes nothing. The tree holds all edges of every boundary curve but
+// one: the vertex that was reached first leads to the others, which are as far from the root.
+Shortest_path_tree tree_along_boundary(const Intrinsic_triangulation& t, std::vector<double> lengths, Vertex root)
+{
+  for (Edge e : t.edges())
+    if (t.is_border(e)) lengths[e] = 0;
+  Shortest_path_tree tree = shortest_path_tree(t, lengths, root);
+  std::vector<char> along(t.number_of_vertices(), false);
+  for (Vertex v : tree.order) {
+    if (!t.is_border(v) || along[v]) continue;
+    along[v] = true;
+    for (Halfedge h = t.halfedge_from(v); t.target(h) != v; h = t.next_on_boundary(h)) {
+      tree.parent[t.target(h)] = h;
+      along[t.target(h)] = true;
+    }
+  }
+  return tree;
+}
+
+} // namespace
+
+std::vector<Halfedge> dual_path(const Intrinsic_triangulation& t, const Tree_cotree& trees, Face from, Face to)
+{
+  std::vector<Halfedge> there, back;
+  while (from != to) {
+    if (trees.face_depth[from] >= trees.face_depth[to]) {
+      there.push_back(t.opposite(trees.face_parent[from]));
+      from = t.face(trees.face_parent[from]);
+    } else {
+      back.push_back(trees.face_parent[to]);
+      to = t.face(trees.face_parent[to]);
+    }
+  }
+  there.insert(there.end(), back.rbegin(), back.rend());
+  return there;
+}
+
+std::vector<Halfedge> dual_loop(const Intrinsic_triangulation& t, const Tree_cotree& trees, Halfedge h)
+{
+  std::vector<Halfedge> loop = dual_path(t, trees, t.face(t.opposite(h)), t.face(h));
+  loop.insert(loop.begin(), h);
+  return loop;
+}
+
 Tree_cotree tree_cotree(const Intrinsic_triangulation& t, const std::vector<double>& lengths, Vertex root)
 {
   Tree_cotree result;
-  Shortest_path_tree tree = shortest_path_tree(t, lengths, root);
+  Shortest_path_tree tree = tree_along_boundary(t, lengths, root);
   result.vertex_parent = std::move(tree.parent);
   std::vector<char> in_tree(t.number_of_edges(), false), in_cotree(t.number_of_edges(), false);
   for (Halfedge h : result.vertex_parent)
@@ -29,7 +75,8 @@ Tree_cotree tree_cotree(const Intrinsic_triangulation& t, const std::vector<doub
   std::priority_queue<Item> queue;
   const auto push_sides = [&](Face f) {
     for (Halfedge h : t.halfedges(f))
-      if (!in_tree[t.edge(h)] && result.face_depth[t.face(t.opposite(h))] < 0) queue.push({loop_length(h), h.idx()});
+      if (!in_tree[t.edge(h)] && !t.is_border(t.opposite(h)) && result.face_depth[t.face(t.opposite(h))] < 0)
+        queue.push({loop_length(h), h.idx()});
   };
   const Face first = *t.faces().begin();
   result.face_parent.assign(t.number_of_faces(), Mesh::null_halfedge());

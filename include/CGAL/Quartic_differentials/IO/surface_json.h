@@ -15,7 +15,7 @@ namespace Quartic_differentials {
 
 /// reads triangles glued along their edges, a surface that is known by its edge lengths alone (\ref json_surface):
 /// `{"triangles":[[v,v,v],...], "opposite":[[[t,e],[t,e],[t,e]],...], "lengths":[[l,l,l],...]}`
-/// where edge e of a triangle joins its corners e and e+1.
+/// where edge e of a triangle joins its corners e and e+1, and is glued to nothing where [t,e] is [-1,-1].
 /// \throws Unusable_surface_error if the text is not of this form; whether the gluing is consistent is checked by the
 ///         constructor of `Intrinsic_triangulation`
 Glued_triangles read_surface_json(const std::string& text);

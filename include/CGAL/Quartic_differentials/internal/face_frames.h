@@ -29,7 +29,7 @@ FT quarter_turn_defect(const FT& angle, const FT& pi)
 }
 
 /// alpha(h): the direction of h in the frame of its face whose axis is h0. [radians] (METHOD, step 4)
-/// \param angles by halfedge, at its source
+/// \param angles by halfedge, at its source. \pre h is in a face
 template <class FT>
 FT direction_in_face(const Intrinsic_triangulation& t, const std::vector<FT>& angles, const FT& pi, Halfedge h)
 {
@@ -38,7 +38,19 @@ FT direction_in_face(const Intrinsic_triangulation& t, const std::vector<FT>& an
   return h == h1 ? FT(pi - angles[h1]) : FT(2 * pi - angles[h1] - angles[h2]);
 }
 
-/// T of the loops dual to the cochains: the turning of a frame along them. [radians, not reduced] (METHOD, step 4)
+/// the turning on the way out of the face of h through h: from the axis of that face to the axis of the next one, or to
+/// the direction of the boundary; through a border halfedge it begins with the boundary's direction. [radians]
+template <class FT>
+FT turn_across(const Intrinsic_triangulation& t, const std::vector<FT>& angles, const FT& pi, Halfedge h)
+{
+  const Halfedge o = t.opposite(h);
+  if (t.is_border(o)) return direction_in_face(t, angles, pi, h);
+  if (t.is_border(h)) return -direction_in_face(t, angles, pi, o);
+  return direction_in_face(t, angles, pi, h) - direction_in_face(t, angles, pi, o) - pi;
+}
+
+/// T of the loops and arcs dual to the cochains: the turning of a frame along them. [radians, not reduced]
+/// (METHOD, step 4)
 template <class FT>
 std::vector<FT> turning_numbers(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
                                 const std::vector<FT>& angles)
@@ -48,7 +60,7 @@ std::vector<FT> turning_numbers(const Intrinsic_triangulation& t, const Integer_
   for (Edge e : t.edges()) {
     const Halfedge h = t.halfedge(e);
     if (cochains.row(h).isZero()) continue;
-    const FT turn = direction_in_face(t, angles, pi, h) - direction_in_face(t, angles, pi, t.opposite(h)) - pi;
+    const FT turn = turn_across(t, angles, pi, h);
     for (int k = 0; k < cochains.size(); ++k) turning[k] += cochains(h, k) * turn;
   }
   return turning;
@@ -68,6 +80,7 @@ std::size_t visit_faces_breadth_first(const Intrinsic_triangulation& t, Visit vi
     const Face f = queue.front();
     queue.pop();
     for (Halfedge h : t.halfedges(f)) {
+      if (t.is_border(t.opposite(h))) continue;
       const Face g = t.face(t.opposite(h));
       if (seen[g]) continue;
       seen[g] = true;
@@ -80,7 +93,7 @@ std::size_t visit_faces_breadth_first(const Intrinsic_triangulation& t, Visit vi
 }
 
 /// propagates a frame over a spanning tree of the faces and returns the largest deviation of the rotation across any
-/// edge from a multiple of pi/2. [radians]
+/// edge, and of the angle between any two boundary edges in this frame, from a multiple of pi/2. [radians]
 template <class FT>
 FT max_transition_error(const Intrinsic_triangulation& t, const std::vector<FT>& angles)
 {
@@ -96,8 +109,18 @@ FT max_transition_error(const Intrinsic_triangulation& t, const std::vector<FT>&
     frame[t.face(t.opposite(h))] = turned - 2 * pi * FT(round(FT(turned / (2 * pi))));
   });
   FT worst = 0;
+  FT axis = 0;   // the direction of the first boundary edge in the frame
+  bool has_axis = false;
   for (Edge e : t.edges()) {
     const Halfedge h = t.halfedge(e);
+    if (t.is_border(e)) {
+      const Halfedge in = t.is_border(h) ? t.opposite(h) : h;
+      const FT direction = direction_in_face(t, angles, pi, in) - frame[t.face(in)];
+      if (!has_axis) axis = direction;
+      has_axis = true;
+      worst = (std::max)(worst, FT(abs(quarter_turn_defect(FT(direction - axis), pi))));
+      continue;
+    }
     const FT defect = quarter_turn_defect(FT(frame[t.face(h)] + rotation(h) - frame[t.face(t.opposite(h))]), pi);
     worst = (std::max)(worst, FT(abs(defect)));
   }

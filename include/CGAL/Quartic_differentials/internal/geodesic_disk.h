@@ -42,7 +42,8 @@ struct Unfolded_face
   }
 };
 
-/// Follows all straight lines of length up to `radius` that leave a point, unfolding faces along the way.
+/// Follows all straight lines of length up to `radius` that leave a point, unfolding faces along the way; they end at the
+/// boundary.
 /// `visit(unfolded_face, right, left)` gets the positions of the face's corners with the point at the origin; the lines
 /// fill the sector counterclockwise from `right` to `left` (everything in the first face, where both are 0).
 template <class Visit>
@@ -71,7 +72,9 @@ private:
     if (cross(right, a) > 0) right = a;
     if (cross(left, b) < 0) left = b;
     if (cross(right, left) <= 0 || squared_distance_to_segment(a, b) > m_squared_radius) return;
-    const Halfedge o = m_t.opposite(h), n = m_t.next(o), p = m_t.prev(o);   // o runs from b to a
+    const Halfedge o = m_t.opposite(h);
+    if (m_t.is_border(o)) return;
+    const Halfedge n = m_t.next(o), p = m_t.prev(o);   // o runs from b to a
     const double e = m_t.length(o), l = m_t.length(n), r = m_t.length(p);   // apex: at distance l from a, r from b
     const double x = (e * e + r * r - l * l) / (2 * e), y = four_times_area(e, l, r) / (2 * e);
     const Complex c = b + Complex((a - b) / e) * Complex(x, y);

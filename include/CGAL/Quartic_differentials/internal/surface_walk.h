@@ -46,11 +46,12 @@ inline Surface_point moved_inside(Surface_point p, double least)
 struct Walk_end
 {
   Surface_point        point;
-  std::complex<double> rotation;   ///< from the unfolded frame of the first face to that of the last, along the walk
+  std::complex<double> rotation;   ///< from the unfolded frame of the first face to that of the last, along the walk, with
+                                   ///< the turns of the walk where it was reflected
 };
 
 /// walks straight from p across the faces; `crossing(before, after)` gets the point where an edge is crossed in the
-/// coordinates of both faces.
+/// coordinates of both faces. The boundary reflects.
 /// \param displacement in the unfolded frame of p's face
 /// \throws Numerical_error after 100,000 crossings
 template <class Crossing>
@@ -77,6 +78,13 @@ Walk_end walk(const Intrinsic_triangulation& t, const Surface_point& p, std::com
 
     z += exit * d;
     d *= 1 - exit;
+    if (t.is_border(t.opposite(h[side]))) {
+      const std::complex<double> e = corner[(side + 1) % 3] - corner[side], reflected = e * std::conj(d / e);
+      rotation *= reflected / d;
+      d = reflected;
+      came = h[side];
+      continue;
+    }
     const Surface_point before{f, barycentric(corner, z)};
     const std::complex<double> a = corner[side], b = corner[(side + 1) % 3];
     came = t.opposite(h[side]);
@@ -100,7 +108,7 @@ struct Star_corner
   double   frame_angle;              ///< direction of `halfedge` in the unfolded frame of its face
 };
 
-/// the corners round v, counterclockwise from `t.halfedge_from(v)`
+/// the corners round v, counterclockwise from `t.halfedge_from(v)`: all round it, or the fan of a boundary vertex
 inline std::vector<Star_corner> star(const Intrinsic_triangulation& t, Vertex v)
 {
   std::vector<Star_corner> corners;
@@ -115,7 +123,7 @@ inline std::vector<Star_corner> star(const Intrinsic_triangulation& t, Vertex v)
     corners.push_back({h, angle, angle + wedge, std::arg(out)});
     angle += wedge;
     h = t.next_around_source(h);
-  } while (h != first);
+  } while (h != first && !t.is_border(h));
   return corners;
 }
 

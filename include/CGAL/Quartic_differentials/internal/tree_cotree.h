@@ -13,7 +13,8 @@ namespace CGAL {
 namespace Quartic_differentials {
 namespace internal {
 
-/// A spanning tree of the vertices and a disjoint spanning tree of the faces; 2g edges are in neither.
+/// A spanning tree of the vertices and a disjoint spanning tree of the faces. 2g edges inside the surface and one edge of
+/// every boundary curve are in neither.
 struct Tree_cotree
 {
   std::vector<Halfedge> vertex_parent;   ///< by vertex: the tree's halfedge that ends there, null at the root
@@ -21,6 +22,13 @@ struct Tree_cotree
   std::vector<int>      face_depth;      ///< by face: number of steps to the root of the cotree
   std::vector<Edge>     generators;      ///< the edges in neither tree, by index
 };
+
+/// the loop that leaves the face of h through h and comes back through the cotree: the halfedges through which it leaves
+/// one face after the other. \pre h and its opposite are in faces
+std::vector<Halfedge> dual_loop(const Intrinsic_triangulation& t, const Tree_cotree& trees, Halfedge h);
+
+/// the way from one face to another through the cotree, as the halfedges through which it leaves one after the other
+std::vector<Halfedge> dual_path(const Intrinsic_triangulation& t, const Tree_cotree& trees, Face from, Face to);
 
 /// Shortest paths from `root` and the dual spanning tree that is maximal for the length of the loop an edge closes.
 /// \param lengths by edge
