@@ -3,11 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/abel_jacobi_map.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/face_frames.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -56,6 +59,14 @@ Lifted_point Abel_jacobi_map::lift(const Surface_point& p) const
   return {on_boundary ? internal::moved_inside(p, inward) : p, Eigen::RowVectorXd::Zero(dimension()), 1};
 }
 
+Lifted_point Abel_jacobi_map::lift_on_boundary(const Surface_point& p) const
+{
+  if (internal::boundary_place(m_t, p).halfedge == Mesh::null_halfedge())
+    throw Infeasible_divisor_error("a singularity in face " + std::to_string(p.face.idx()) + " is marked as a corner of the "
+                                   "boundary, but it is not on a boundary edge of this face");
+  return {p, Eigen::RowVectorXd::Zero(dimension()), 1, true};
+}
+
 Eigen::RowVectorXd Abel_jacobi_map::potential_in_face(const Surface_point& p) const
 {
   const auto [h0, h1, h2] = m_t.halfedges(p.face);
@@ -70,10 +81,14 @@ Eigen::RowVectorXd Abel_jacobi_map::potential(const Lifted_point& p) const
 Lifted_point Abel_jacobi_map::moved(const Lifted_point& p, std::complex<double> displacement) const
 {
   Lifted_point q = p;
-  const internal::Walk_end end = internal::walk(
-    m_t, p.location, displacement, [&](const Surface_point& before, const Surface_point& after) {
-      q.sheet += (potential_in_face(before) - potential_in_face(after)).array().round().matrix();
-    });
+  const auto crossing = [&](const Surface_point& before, const Surface_point& after) {
+    q.sheet += (potential_in_face(before) - potential_in_face(after)).array().round().matrix();
+  };
+  if (p.on_boundary) {
+    q.location = internal::slide(m_t, p.location, displacement.real(), crossing);
+    return q;
+  }
+  const internal::Walk_end end = internal::walk(m_t, p.location, displacement, crossing);
   q.location = end.point;
   q.frame *= end.rotation;
   return q;
@@ -101,6 +116,12 @@ Eigen::MatrixXd Abel_jacobi_map::jacobian(const Lifted_divisor& points, const st
 {
   Eigen::MatrixXd j(dimension(), 2 * points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].on_boundary) {
+      const Halfedge h = internal::boundary_place(m_t, points[i].location).halfedge;
+      j.col(2 * i) = -0.5 * pi * orders[i] / m_t.length(h) * m_forms.row(h).transpose();
+      j.col(2 * i + 1).setZero();
+      continue;
+    }
     const Eigen::VectorXcd g = gradients(m_t, m_forms, points[i].location.face).transpose();
     j.col(2 * i) = -0.5 * pi * orders[i] * g.real();
     j.col(2 * i + 1) = -0.5 * pi * orders[i] * g.imag();

@@ -9,6 +9,7 @@
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/holomorphic_forms.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/cone_insertion.h>
 #include <CGAL/Quartic_differentials/internal/face_frames.h>
 #include <CGAL/Quartic_differentials/internal/scientific.h>
@@ -43,7 +44,21 @@ struct Flow
   Cone_metric        metric;
   Length_derivatives lambda;
   std::vector<char>  frozen;
+  bool               has_boundary = false;
 };
+
+// Whether the lengths satisfy all triangle inequalities. Ideal Delaunay triangulations do, but for boundary edges, which
+// cannot be flipped.
+bool is_metric(const Flow& flow)
+{
+  if (!flow.has_boundary) return true;
+  const Cone_metric& m = flow.metric;
+  return std::all_of(m.triangulation.faces().begin(), m.triangulation.faces().end(), [&](Face f) {
+    const auto [h0, h1, h2] = m.triangulation.halfedges(f);
+    const auto length = [&](Halfedge h) { return m.lengths[m.triangulation.edge(h)]; };
+    return four_times_area(length(h0), length(h1), length(h2)) > 0;
+  });
+}
 
 // Makes the triangulation Delaunay for the scales u and evaluates lengths, angles and curvature there.
 std::vector<double> evaluate(Flow& flow, const std::vector<double>& u)
@@ -137,6 +152,10 @@ void newton(Flow& flow, Eigen::VectorXd first, Laplacian_solver& laplacian, cons
 {
   Cone_metric& m = flow.metric;
   Eigen::VectorXd error = curvature_error(m, evaluate(flow, m.u));
+  if (!is_metric(flow)) {   // from a metric for other positions: begin with the surface itself
+    m.u.assign(m.u.size(), 0);
+    error = curvature_error(m, evaluate(flow, m.u));
+  }
   m.flow.history.assign(1, largest(error));
   bool factorized = false;
   while (m.flow.history.back() > 0.01 * m.flow.tolerance && m.flow.newton_iterations < options.newton_iterations) {
@@ -158,17 +177,17 @@ void newton(Flow& flow, Eigen::VectorXd first, Laplacian_solver& laplacian, cons
     for (double step = longest > 10 ? 10 / longest : 1; step > shortest_step && !accepted; step /= 2) {
       const std::vector<double> u = moved_scales(m.u, step, direction);
       const Eigen::VectorXd tried = curvature_error(m, evaluate(flow, u));
-      accepted = polishing ? largest(tried) < 0.5 * m.flow.history.back()
-                           : tried.norm() < error.norm() * (1 - 1e-4 * step);
+      accepted = is_metric(flow) && (polishing ? largest(tried) < 0.5 * m.flow.history.back()
+                                               : tried.norm() < error.norm() * (1 - 1e-4 * step));
       if (accepted) {
         error = tried;
         m.u = u;
       }
     }
-    if (!accepted && is_given) continue;
-    if (!accepted) {   // stagnation: rounding is reached
+    if (!accepted) {
       error = curvature_error(m, evaluate(flow, m.u));
-      break;
+      if (is_given) continue;
+      break;   // stagnation: rounding is reached
     }
     ++(polishing ? m.flow.polishing_steps : m.flow.newton_iterations);
     m.flow.history.push_back(largest(error));
@@ -186,6 +205,7 @@ Flow flow_of(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
   Flow flow;
   flow.lambda = Length_derivatives(inserted.triangulation, inserted.frames);
   flow.frozen = inserted.frozen;
+  flow.has_boundary = t.has_boundary();
   Cone_metric& m = flow.metric;
   m.triangulation = std::move(inserted.triangulation);
   m.cochains = std::move(inserted.cochains);
@@ -227,7 +247,9 @@ void move_cones(const Intrinsic_triangulation& t, const Eigen::VectorXd& step, D
   for (std::size_t i = 0; i < divisor.size(); ++i) {
     const std::complex<double> d(step[2 * i], step[2 * i + 1]);
     if (d == 0.) continue;
-    divisor[i].location = internal::walk(t, divisor[i].location, d, [](const Surface_point&, const Surface_point&) {}).point;
+    const auto crossing = [](const Surface_point&, const Surface_point&) {};
+    Surface_point& p = divisor[i].location;
+    p = divisor[i].on_boundary ? internal::slide(t, p, d.real(), crossing) : internal::walk(t, p, d, crossing).point;
     moved_by[i] += std::abs(d);
   }
 }
@@ -238,26 +260,29 @@ bool has_full_rank(const Eigen::MatrixXd& j)
   return lu.rank() == j.rows();
 }
 
-// Moves the cones that were frozen only because they are at a vertex 1e-3 of an edge into their face.
-bool move_off_vertices(const std::vector<char>& frozen, Divisor& divisor)
+// Moves the cones that were frozen only because they are at a vertex 1e-3 of an edge into their face, and corners along
+// their boundary edge.
+bool move_off_vertices(const Intrinsic_triangulation& t, const std::vector<char>& frozen, Divisor& divisor)
 {
   bool moved = false;
   for (std::size_t i = 0; i < divisor.size(); ++i) {
     if (!frozen[i] || divisor[i].pinned) continue;
-    for (double& b : divisor[i].location.barycentric) b = (1 - 3e-3) * b + 1e-3;
     moved = true;
+    Surface_point& p = divisor[i].location;
+    if (divisor[i].on_boundary) {
+      const auto [h, fraction] = internal::boundary_place(t, p);
+      p = on_edge(t, h, (1 - 2e-3) * fraction + 1e-3);
+      continue;
+    }
+    for (double& b : p.barycentric) b = (1 - 3e-3) * b + 1e-3;
   }
   return moved;
 }
 
 void refuse_collisions(const Intrinsic_triangulation& t, const Divisor& divisor, double least)
 {
-  const double size = std::sqrt(t.area());
-  const Nearest_singularities n = nearest_singularities(t, locations(divisor), least * size);
-  if (n.distance < least * size)
-    throw Infeasible_divisor_error("making the holonomy exact drives singularities " + std::to_string(n.first + 1) + " and "
-                                   + std::to_string(n.second + 1) + " together (distance "
-                                   + std::to_string(n.distance / size) + " sqrt(area))");
+  if (const std::string reason = collision(t, divisor, least); !reason.empty())
+    throw Infeasible_divisor_error("making the holonomy exact drives together " + reason);
 }
 
 } // namespace
@@ -312,9 +337,10 @@ Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Inte
     if (result.history.back() <= options.holonomy_tolerance || !flow.metric.flow.is_near()) break;
     Eigen::MatrixXd j = jacobian(flow, laplacian);
     if (!has_full_rank(j)) {
-      if (!move_off_vertices(flow.frozen, result.divisor))
+      if (!move_off_vertices(t, flow.frozen, result.divisor))
         throw Infeasible_divisor_error("the singularities that may move cannot make the holonomy exact "
-                                       "(rank of the Jacobian below 2g): pin fewer of them");
+                                       "(rank of the Jacobian below " + std::to_string(j.rows())
+                                       + "): pin fewer of them");
       flow = flow_of(t, cochains, result.divisor, &flow.metric, nullptr, laplacian, options, visitor);
       defect = quarter_turn_defects(turning(flow));
       j = jacobian(flow, laplacian);
@@ -338,7 +364,7 @@ Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Inte
     }
     if (!accepted) break;   // stagnation: rounding is reached, or the flow fails
   }
-  if (divisor.size() > 1) refuse_collisions(t, result.divisor, options.least_distance);
+  if (!divisor.empty()) refuse_collisions(t, result.divisor, options.least_distance);
 
   result.turning = turning(flow);
   result.max_holonomy_error = result.history.back();

@@ -5,6 +5,7 @@
 #include <CGAL/Quartic_differentials/closest_vector.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Moving_divisor.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/near_pairs.h>
 #include <CGAL/Quartic_differentials/legalize_divisor.h>
 
@@ -50,13 +51,52 @@ void require_full_rank(const Eigen::MatrixXd& j)
                                    "add singularities, or pin fewer of them");
 }
 
-// Two singularities that are too near each other and their distance, or "".
-std::string collision(const Intrinsic_triangulation& t, const Divisor& d, double least, double size)
+// The distance from the boundary along straight lines up to `radius`, or infinity.
+double distance_to_boundary(const Intrinsic_triangulation& t, const Surface_point& p, double radius)
 {
-  const Nearest_singularities n = nearest_singularities(t, locations(d), least * size);
-  if (!(n.distance < least * size)) return {};
-  return name(d, n.first) + " and " + name(d, n.second) + " (distance "
-       + std::to_string(n.distance / size) + ", at least " + std::to_string(least) + " sqrt(area) is asked for)";
+  double least = std::numeric_limits<double>::infinity();
+  internal::explore_geodesic_disk(t, p, radius, [&](const internal::Unfolded_face& f, std::complex<double>,
+                                                    std::complex<double>) {
+    const auto h = t.halfedges(t.face(f.halfedge));
+    const auto z = f.corners(t);
+    for (int k = 0; k < 3; ++k)
+      if (t.is_border(t.opposite(h[k])))
+        least = std::min(least, std::sqrt(internal::squared_distance_to_segment(z[k], z[(k + 1) % 3])));
+  });
+  return least;
+}
+
+// The way from one place on the boundary to another with the surface on the left, or infinity if it is longer than `most`
+// or there is none.
+double way_along_boundary(const Intrinsic_triangulation& t, const internal::Boundary_place& from,
+                          const internal::Boundary_place& to, double most)
+{
+  if (from.halfedge == to.halfedge && from.fraction <= to.fraction)
+    return (to.fraction - from.fraction) * t.length(from.halfedge);
+  double way = (1 - from.fraction) * t.length(from.halfedge);
+  for (Halfedge h = t.next_on_boundary(from.halfedge); way <= most && h != from.halfedge; h = t.next_on_boundary(h)) {
+    if (h == to.halfedge) return way + to.fraction * t.length(h);
+    way += t.length(h);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+bool on_same_curve(const Intrinsic_triangulation& t, const Singularity& a, const Singularity& b)
+{
+  const internal::Boundary_place x = internal::boundary_place(t, a.location), y = internal::boundary_place(t, b.location);
+  const double any = std::numeric_limits<double>::infinity();
+  return x.halfedge == y.halfedge || std::isfinite(way_along_boundary(t, x, y, any));
+}
+
+void check_corners(const Abel_jacobi_map& map, const Divisor& divisor)
+{
+  const Intrinsic_triangulation& t = map.triangulation();
+  for (const Singularity& s : divisor)
+    if (s.on_boundary) map.lift_on_boundary(s.location);
+  if (divisor.size() == 2 && divisor[0].on_boundary && divisor[1].on_boundary && std::abs(divisor[0].order) == 1
+      && t.genus() == 0 && t.number_of_boundary_curves() == 2 && on_same_curve(t, divisor[0], divisor[1]))
+    throw Infeasible_divisor_error("corners with one and with three quads on the same curve of an annulus, and nothing else: "
+                                   "the Abel-Jacobi condition forces them to coincide");
 }
 
 Legal_divisor result_of(const Moving_divisor& d, const Eigen::VectorXd& m, std::vector<double> history)
@@ -86,19 +126,28 @@ std::optional<Legal_divisor> legal_as_it_is(const Abel_jacobi_map& map, const Di
 
 } // namespace
 
-void check_orders(const Divisor& divisor, int genus)
+void check_orders(const Divisor& divisor, int genus, int boundary_curves)
 {
   for (std::size_t i = 0; i < divisor.size(); ++i) {
+    if (divisor[i].on_boundary && divisor[i].order < -1)
+      throw Infeasible_divisor_error(name(divisor, i) + " is a corner of the boundary of order below -1: its angle would not "
+                                     "be positive");
     if (divisor[i].order < -3)
       throw Infeasible_divisor_error(name(divisor, i) + " is a pole of order above 3: its cone angle would not be positive");
     if (divisor[i].order == 0)
       throw Infeasible_divisor_error(name(divisor, i) + " has order 0: it is a regular point, not a singularity");
   }
-  if (const int d = degree(divisor); d != 8 * genus - 8)
-    throw Infeasible_divisor_error("the degree of the divisor is " + std::to_string(d) + ", but on a surface of genus "
-                                   + std::to_string(genus) + " it must be 8g-8 = " + std::to_string(8 * genus - 8)
+  const int d = degree(divisor), wanted = 8 * genus - 8 + 4 * boundary_curves;
+  if (d != wanted && boundary_curves > 0)
+    throw Infeasible_divisor_error("the orders of singularities and corners add up to " + std::to_string(d) + ", but on a "
+                                   "surface of genus " + std::to_string(genus) + " with " + std::to_string(boundary_curves)
+                                   + " boundary curves they must add up to 8g-8+4b = " + std::to_string(wanted)
                                    + " (Gauss-Bonnet)");
-  if (genus == 1 && divisor.size() == 2 && std::abs(divisor[0].order) == 1)
+  if (d != wanted)
+    throw Infeasible_divisor_error("the degree of the divisor is " + std::to_string(d) + ", but on a surface of genus "
+                                   + std::to_string(genus) + " it must be 8g-8 = " + std::to_string(wanted)
+                                   + " (Gauss-Bonnet)");
+  if (genus == 1 && boundary_curves == 0 && divisor.size() == 2 && std::abs(divisor[0].order) == 1)
     throw Infeasible_divisor_error("one simple zero and one simple pole on a surface of genus 1: the Abel-Jacobi "
                                    "condition forces them to coincide");
 }
@@ -111,6 +160,36 @@ Nearest_singularities nearest_singularities(const Intrinsic_triangulation& t, co
     if (std::abs(way) < nearest.distance) nearest = {std::min(i, k), std::max(i, k), std::abs(way)};
   });
   return nearest;
+}
+
+Nearest_singularities nearest_singularities(const Intrinsic_triangulation& t, const Divisor& divisor, double radius)
+{
+  Nearest_singularities nearest = nearest_singularities(t, locations(divisor), radius);
+  for (std::size_t i = 0; i < divisor.size(); ++i)
+    for (std::size_t k = 0; k < divisor.size(); ++k) {
+      if (i == k || !divisor[i].on_boundary || !divisor[k].on_boundary) continue;
+      const double way = way_along_boundary(t, internal::boundary_place(t, divisor[i].location),
+                                            internal::boundary_place(t, divisor[k].location), radius);
+      if (way <= radius && way < nearest.distance) nearest = {std::min(i, k), std::max(i, k), way};
+    }
+  return nearest;
+}
+
+std::string collision(const Intrinsic_triangulation& t, const Divisor& d, double least)
+{
+  const double size = std::sqrt(t.area());
+  const auto text = [&](double distance, double wanted) {
+    return " (distance " + std::to_string(distance / size) + ", at least " + std::to_string(wanted)
+         + " sqrt(area) is asked for)";
+  };
+  const Nearest_singularities n = nearest_singularities(t, d, least * size);
+  if (n.distance < least * size) return name(d, n.first) + " and " + name(d, n.second) + text(n.distance, least);
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    if (d[i].on_boundary) continue;
+    const double distance = distance_to_boundary(t, d[i].location, 0.5 * least * size);
+    if (distance < 0.5 * least * size) return name(d, i) + " and the boundary" + text(distance, 0.5 * least);
+  }
+  return {};
 }
 
 Eigen::MatrixXd lattice_gram(Lattice_norm norm, const Eigen::MatrixXd& jacobian, const Eigen::MatrixXcd& pi)
@@ -136,6 +215,8 @@ Lattice_candidates nearest_lattice_vectors(const internal::Moving_divisor& d, co
 {
   const Eigen::MatrixXd j = d.jacobian();
   require_full_rank(j);
+  if (options.norm != Lattice_norm::movement && 2 * periods.pi.rows() != j.rows())
+    throw Error("the norms of C^g belong to closed surfaces and their period matrices: take the norm of least movement");
   Closest_vector_options lattice;
   lattice.count = options.lattice_vectors;
   lattice.radius_factor = 2;
@@ -157,11 +238,12 @@ Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& 
                                const Legalization_options& options, Visitor& visitor)
 {
   const Intrinsic_triangulation& t = map.triangulation();
-  check_orders(divisor, map.dimension() / 2);
+  check_orders(divisor, t.genus(), t.number_of_boundary_curves());
+  check_corners(map, divisor);
   const double size = std::sqrt(t.area());
 
   const Moving_divisor start(map, divisor);
-  if (const std::string reason = collision(t, start.divisor(), options.least_distance, size); !reason.empty())
+  if (const std::string reason = collision(t, start.divisor(), options.least_distance); !reason.empty())
     throw Infeasible_divisor_error("too near each other: " + reason);
 
   if (const std::optional<Legal_divisor> legal = legal_as_it_is(map, divisor, options.tolerance)) return *legal;
@@ -182,7 +264,7 @@ Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& 
       best = std::min(best, history.back());
       continue;
     }
-    const std::string reason = collision(t, d.divisor(), options.least_distance, size);
+    const std::string reason = collision(t, d.divisor(), options.least_distance);
     if (!reason.empty()) {
       collided = reason;
       continue;
@@ -197,6 +279,12 @@ Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& 
                                                         + " nearest lattice vectors that could be reached");
   throw Numerical_error("no lattice vector of " + std::to_string(tried) + " could be reached by moving the singularities; "
                         "the best residual is " + std::to_string(best) + " rad");
+}
+
+Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Divisor& divisor, const Legalization_options& options,
+                               Visitor& visitor)
+{
+  return legalize_divisor(map, Period_matrix(), divisor, options, visitor);
 }
 
 } } // namespace CGAL::Quartic_differentials

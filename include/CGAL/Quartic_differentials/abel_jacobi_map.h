@@ -26,6 +26,7 @@ namespace Quartic_differentials {
 //   K_v       curvature at a vertex
 //   F_k(D)    T_k - Sum_v g_k(v) K_v - (pi/2) Sum_i n_i ^g_k(p_i), the holonomy of the conformal cone metric
 //   D satisfies the Abel-Jacobi condition <=> F(D) in (pi/2) Z^2g
+// On a surface with boundary k runs over 2g loops and b-1 arcs, and the p_i are singularities and corners.
 
 /// A point with the sheet on which the potentials ^g_k are continued, and a frame that is transported along its way.
 struct Lifted_point
@@ -33,11 +34,12 @@ struct Lifted_point
   Surface_point        location;
   Eigen::RowVectorXd   sheet;       ///< integers, added to the potentials
   std::complex<double> frame = 1;   ///< the transported first axis in the unfolded frame of the face, a unit number
+  bool                 on_boundary = false;   ///< it slides along the boundary, whose direction is its first axis
 };
 
 using Lifted_divisor = std::vector<Lifted_point>;
 
-/// the turning numbers of the loops dual to the cochains, modulo 2 pi (METHOD, step 4). [radians]
+/// the turning numbers of the loops and arcs dual to the cochains, modulo 2 pi (METHOD, step 4). [radians]
 /// \param angles by halfedge, at its source, in any metric on the triangulation
 /// Complexity: linear in the edges the loops cross.
 Eigen::VectorXd turning_numbers(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
@@ -71,8 +73,12 @@ public:
 
   /// a point on the sheet 0, moved into the interior of its face by 1e-9 if it lies on its boundary
   Lifted_point lift(const Surface_point& p) const;
-  /// moves a point along a straight line across the faces.
-  /// \param displacement in the unfolded frame of the point's face, surface units
+  /// a point that slides along the boundary, on the sheet 0.
+  /// \throws Infeasible_divisor_error if it is not on a boundary edge of its face
+  Lifted_point lift_on_boundary(const Surface_point& p) const;
+  /// moves a point along a straight line across the faces, or along the boundary.
+  /// \param displacement in the unfolded frame of the point's face, surface units; of a point that slides along the
+  ///        boundary the way along it, a real number
   /// \throws Numerical_error if the line crosses more than 100,000 edges
   Lifted_point moved(const Lifted_point& p, std::complex<double> displacement) const;
   /// ^g_1 .. ^g_2g
@@ -82,7 +88,8 @@ public:
   Eigen::VectorXd residual(const Lifted_divisor& points, const std::vector<int>& orders) const;
   /// F(D) with every point on the sheet 0, right up to multiples of pi/2. [radians]
   Eigen::VectorXd residual(const Divisor& divisor) const;
-  /// the derivative of F(D) by the positions, two columns (x, y in the unfolded frame of its face) a singularity
+  /// the derivative of F(D) by the positions, two columns (x, y in the unfolded frame of its face) a singularity; of a
+  /// corner the first is the derivative along the boundary, the second 0
   Eigen::MatrixXd jacobian(const Lifted_divisor& points, const std::vector<int>& orders) const;
 
 private:

@@ -22,7 +22,7 @@ namespace Quartic_differentials {
 // Notation (METHOD, step 6; paper, section 4.6)
 //   l_ij      edge lengths of the triangulation with the cones inserted
 //   u_i       log scale factors: the flat metric has lengths exp((u_i + u_j) / 2) l_ij
-//   K_i       curvatures; the target is -n pi/2 at a cone of order n and 0 elsewhere; dK = L du
+//   K_i       curvatures; the target is -n pi/2 at a cone or corner of order n and 0 elsewhere; dK = L du
 //   lambda    derivatives of log l by the positions of the cones, carried through flips
 //   T_k       turning of the loop gamma_k, modulo 2 pi; the holonomy is exact where T_k is a multiple of pi/2
 
@@ -34,7 +34,7 @@ struct Cone_metric_options
   double holonomy_tolerance  = 1e-11;  ///< aimed at on the basis loops, radians
   double accepted_holonomy   = 1e-10;  ///< accepted on the basis loops and on every edge, radians
   int    outer_iterations    = 12;
-  double least_distance      = 0.01;   ///< between singularities, times sqrt(area)
+  double least_distance      = 0.01;   ///< between singularities, and half of it to the boundary, times sqrt(area)
 };
 
 /// How a discrete Ricci flow went.
@@ -80,9 +80,13 @@ struct Cone_metric
 /// computes the flat metric with the cones of a divisor by Newton's method on the discrete Ricci energy, which is
 /// convex; the triangulation is kept Delaunay by Ptolemy flips.
 ///
-/// Every cone is inserted as a vertex in its face (within 1e-4 of an edge length of a vertex it takes the vertex).
-/// Always returns: whether the tolerance was reached stands in `flow`.
-/// \param t Delaunay triangulation; \param cochains its homology basis
+/// Every cone is inserted as a vertex in its face (within 1e-4 of an edge length of a vertex it takes the vertex), every
+/// corner on its boundary edge. Always returns: whether the tolerance was reached stands in `flow`.
+///
+/// Boundary edges are not flipped, so on a surface with boundary a step may break a triangle inequality: it is shortened.
+/// That this is enough is measured, not proved, for triangulations without obtuse angles opposite boundary edges
+/// (`split_obtuse_at_boundary()`).
+/// \param t Delaunay triangulation; \param cochains its homology basis, relative to the boundary if there is one
 /// \param warm_start the same divisor's metric for nearby positions, or null
 /// \param factorized the factorised Laplacian of `t`, or null: it spares the first step's factorisation, and its order of
 ///        elimination is used again
@@ -102,7 +106,8 @@ struct Exact_cone_metric
   Eigen::VectorXd     turning;              ///< T of the basis loops, radians
   std::vector<double> history;              ///< max deviation of T from multiples of pi/2, before and after every step
   double              max_holonomy_error;   ///< over the basis loops, radians
-  double              max_transition_error; ///< over all edges of a cross frame propagated over all faces, radians
+  double              max_transition_error; ///< over all edges of a cross frame propagated over all faces, and the
+                                            ///< directions of boundary edges in it, radians
   bool                reached = false;      ///< everything within `accepted_holonomy`
 };
 
@@ -118,7 +123,8 @@ Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Inte
                                     const Laplacian_solver* factorized = nullptr);
 
 /// the derivative of the turning numbers of `metric` by the positions of the cones, two columns (x, y in the unfolded
-/// frame of its face of `t`) a singularity; zero where a cone sits at a vertex of `t` or is pinned.
+/// frame of its face of `t`) a singularity, of a corner (along the boundary, 0); zero where a cone sits at a vertex of `t`
+/// or is pinned.
 Eigen::MatrixXd holonomy_jacobian(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
                                   const Divisor& divisor, const Cone_metric_options& options, Visitor& visitor);
 
@@ -126,7 +132,7 @@ Eigen::MatrixXd holonomy_jacobian(const Intrinsic_triangulation& t, const Intege
 double quarter_turn_defect(double angle);
 
 /// propagates a frame over a spanning tree of the faces and returns the largest deviation of the rotation across any
-/// edge from a multiple of pi/2. [radians]
+/// edge, and of the angle between any two boundary edges in this frame, from a multiple of pi/2. [radians]
 double max_transition_error(const Intrinsic_triangulation& t, const std::vector<double>& angles);
 
 } } // namespace CGAL::Quartic_differentials

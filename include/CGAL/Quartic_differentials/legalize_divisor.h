@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -35,7 +36,7 @@ struct Legalization_options
   double       tolerance     = 1e-12;   ///< |F - (pi/2) m|, radians
   int          iterations    = 100;     ///< Gauss-Newton steps for one lattice vector
   double       longest_step  = 0.05;    ///< of any singularity in one step, times sqrt(area)
-  double       least_distance = 0.01;   ///< between singularities, times sqrt(area)
+  double       least_distance = 0.01;   ///< between singularities, and half of it to the boundary, times sqrt(area)
   int          lattice_vectors = 16;    ///< tried, nearest first, within twice the best distance
   Closest_vector_solver solver = Certified_closest_vectors();   ///< a model of `ClosestVectorSolver`
 };
@@ -65,6 +66,14 @@ struct Legal_divisor
 Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Period_matrix& periods, const Divisor& divisor,
                                const Legalization_options& options, Visitor& visitor);
 
+/// the same on a surface with boundary, where corners slide along it. It has no period matrix: the norm is that of the least
+/// movement.
+/// \throws Infeasible_divisor_error also for corners off the boundary or of order below -1, for corners with m = 1 and m = 3
+///         as the only singularities and on the same curve of an annulus, and singularities that run into the boundary
+/// Source: METHOD, "Surfaces with boundary".
+Legal_divisor legalize_divisor(const Abel_jacobi_map& map, const Divisor& divisor, const Legalization_options& options,
+                               Visitor& visitor);
+
 /// The lattice vectors m nearest to F(D) / (pi/2), nearest first.
 struct Lattice_candidates
 {
@@ -88,7 +97,7 @@ Lattice_candidates nearest_lattice_vectors(const internal::Moving_divisor& d, co
                                            const Legalization_options& options);
 
 /// throws Infeasible_divisor_error if no position whatever makes these orders legal on a surface of this genus.
-void check_orders(const Divisor& divisor, int genus);
+void check_orders(const Divisor& divisor, int genus, int boundary_curves = 0);
 
 /// The two singularities that are nearest to each other along a straight line on the surface.
 struct Nearest_singularities
@@ -98,6 +107,13 @@ struct Nearest_singularities
 };
 Nearest_singularities nearest_singularities(const Intrinsic_triangulation& t, const std::vector<Surface_point>& points,
                                             double radius);
+/// the same with the way between two corners along the boundary
+Nearest_singularities nearest_singularities(const Intrinsic_triangulation& t, const Divisor& divisor, double radius);
+
+/// which singularities are too near each other or, unless they are corners, to the boundary, and how near, as a part of a
+/// sentence; or "". From the boundary half the distance is asked for: then it is as far from its mirror image.
+/// \param least distance, times sqrt(area)
+std::string collision(const Intrinsic_triangulation& t, const Divisor& divisor, double least);
 
 } } // namespace CGAL::Quartic_differentials
 

@@ -24,7 +24,7 @@ Moving_divisor::Moving_divisor(const Abel_jacobi_map& map, const Divisor& diviso
   : m_map(&map), m_divisor(divisor), m_moved_by(divisor.size(), 0)
 {
   for (Singularity& s : m_divisor) {
-    m_points.push_back(map.lift(s.location));
+    m_points.push_back(s.on_boundary ? map.lift_on_boundary(s.location) : map.lift(s.location));
     m_orders.push_back(s.order);
     s.location = m_points.back().location;
   }

@@ -4,6 +4,7 @@
 
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/cone_insertion.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 
@@ -40,6 +41,40 @@ std::pair<std::size_t, std::array<double, 3>> piece_at(const std::vector<Face_pi
   return {best, best_b};
 }
 
+// The piece whose corners, from source(h), are given; a face numbers its corners from its own first halfedge.
+Face_piece piece_with(const Intrinsic_triangulation& t, Halfedge h, const std::array<Complex, 3>& corner,
+                      const std::array<int, 3>& name)
+{
+  Face_piece piece{t.face(h), {}, {}};
+  for (int k = 0; k < 3; ++k) {
+    piece.corner[(t.corner(h) + k) % 3] = corner[k];
+    piece.name[(t.corner(h) + k) % 3] = name[k];
+  }
+  return piece;
+}
+
+// The piece, and its side, that holds the point at the given fraction of a boundary edge from `from` to `to`.
+std::pair<std::size_t, Halfedge> piece_on_boundary(const Intrinsic_triangulation& t, const std::vector<Face_piece>& pieces,
+                                                   Complex from, Complex to, double fraction)
+{
+  const double on_line = 1e-9;   // the pieces' corners on the edge are rounded
+  std::pair<std::size_t, Halfedge> best{0, Mesh::null_halfedge()};
+  double best_inside = -1e300;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    for (Halfedge h : t.halfedges(pieces[k].face)) {
+      const int c = t.corner(h);
+      const Complex begin = (pieces[k].corner[c] - from) / (to - from);
+      const Complex end = (pieces[k].corner[(c + 1) % 3] - from) / (to - from);
+      if (!t.is_border(t.opposite(h)) || std::abs(begin.imag()) > on_line || std::abs(end.imag()) > on_line) continue;
+      const double inside = std::min(fraction - begin.real(), end.real() - fraction);
+      if (inside > best_inside) {
+        best_inside = inside;
+        best = {k, h};
+      }
+    }
+  return best;
+}
+
 } // namespace
 
 void Cone_frames::before_flip(const Intrinsic_triangulation& t, const Edge_flip& flip)
@@ -61,6 +96,14 @@ Vertex vertex_at(const Intrinsic_triangulation& t, const Surface_point& p)
   return Mesh::null_vertex();
 }
 
+Vertex vertex_at(const Intrinsic_triangulation& t, const Singularity& s)
+{
+  if (!s.on_boundary) return vertex_at(t, s.location);
+  const Boundary_place place = boundary_place(t, s.location);
+  if (place.fraction < 1e-4) return t.source(place.halfedge);
+  return place.fraction > 1 - 1e-4 ? t.target(place.halfedge) : Mesh::null_vertex();
+}
+
 Point_inserter::Point_inserter(const Intrinsic_triangulation& t) : m_t(t), m_split(t)
 {
   m_original.assign(t.faces().begin(), t.faces().end());
@@ -68,29 +111,44 @@ Point_inserter::Point_inserter(const Intrinsic_triangulation& t) : m_t(t), m_spl
 
 Point_inserter::Inserted Point_inserter::insert(const Surface_point& p)
 {
-  const auto frame = m_t.unfolded(p.face);
-  std::vector<Face_piece>& pieces = m_pieces.try_emplace(p.face, 1, Face_piece{p.face, frame, {0, 1, 2}}).first->second;
-  const Complex z = point_in_frame(frame, p.barycentric);
+  std::vector<Face_piece>& pieces = this->pieces(p.face);
+  const Complex z = point_in_frame(m_t.unfolded(p.face), p.barycentric);
   const auto [k, b] = piece_at(pieces, z);
   const Face_piece whole = pieces[k];
   const auto insertion = m_split.insert({whole.face, b});
   m_original.resize(m_split.number_of_faces(), p.face);
   pieces.erase(pieces.begin() + k);
   for (int c = 0; c < 3; ++c) {
-    // the face of the rim halfedge v_c v_(c+1); its corners are numbered from its own first halfedge
-    Face_piece piece{m_split.face(insertion.rim[c]), {}, {}};
-    const int first = m_split.corner(insertion.rim[c]);
-    const auto set = [&](int k, Complex corner, int name) {
-      piece.corner[(first + k) % 3] = corner;
-      piece.name[(first + k) % 3] = name;
-    };
-    set(0, whole.corner[c], whole.name[c]);
-    set(1, whole.corner[(c + 1) % 3], whole.name[(c + 1) % 3]);
-    set(2, z, 3 + m_inserted);
-    pieces.push_back(piece);
+    const int next = (c + 1) % 3;   // the rim halfedge runs from v_c to v_next
+    pieces.push_back(piece_with(m_split, insertion.rim[c], {whole.corner[c], whole.corner[next], z},
+                                {whole.name[c], whole.name[next], 3 + m_inserted}));
   }
   ++m_inserted;
   return {insertion, std::arg(whole.corner[0] - z), whole.name};
+}
+
+Intrinsic_triangulation::Boundary_split Point_inserter::insert_on_boundary(const Surface_point& p)
+{
+  const auto frame = m_t.unfolded(p.face);
+  std::vector<Face_piece>& pieces = this->pieces(p.face);
+  const auto [side, fraction] = boundary_place(m_t, p);
+  const int along = m_t.corner(side);
+  const auto [k, h] = piece_on_boundary(m_split, pieces, frame[along], frame[(along + 1) % 3], fraction);
+  const Face_piece whole = pieces[k];
+  const int a = m_split.corner(h), b = (a + 1) % 3, c = (a + 2) % 3;
+  const Complex z = point_in_frame(frame, p.barycentric);
+  const auto split = m_split.split_boundary_edge(h, std::abs(z - whole.corner[a]) / std::abs(whole.corner[b] - whole.corner[a]));
+  m_original.resize(m_split.number_of_faces(), p.face);
+  const int name = 3 + m_inserted++;
+  pieces[k] = piece_with(m_split, split.first, {whole.corner[a], z, whole.corner[c]}, {whole.name[a], name, whole.name[c]});
+  pieces.push_back(piece_with(m_split, split.second, {z, whole.corner[b], whole.corner[c]},
+                              {name, whole.name[b], whole.name[c]}));
+  return split;
+}
+
+std::vector<Face_piece>& Point_inserter::pieces(Face f)
+{
+  return m_pieces.try_emplace(f, 1, Face_piece{f, m_t.unfolded(f), {0, 1, 2}}).first->second;
 }
 
 Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor)
@@ -100,12 +158,23 @@ Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_coch
   std::map<Vertex, std::size_t> taken;
   for (std::size_t i = 0; i < divisor.size(); ++i) {
     const Surface_point& p = divisor[i].location;
-    if (const Vertex v = vertex_at(t, p); v != Mesh::null_vertex()) {
+    if (const Vertex v = vertex_at(t, divisor[i]); v != Mesh::null_vertex()) {
+      if (t.is_border(v) && !divisor[i].on_boundary)
+        throw Infeasible_divisor_error("singularity " + std::to_string(i + 1) + " is on the boundary, but not marked as a "
+                                       "corner");
       const auto [other, is_new] = taken.emplace(v, i);
       if (!is_new) throw Infeasible_divisor_error("singularities " + std::to_string(other->second + 1) + " and "
                                                   + std::to_string(i + 1) + " are at the same vertex");
       result.cones.push_back(v);
       result.frozen.push_back(true);
+      continue;
+    }
+    if (divisor[i].on_boundary) {
+      const auto split = inserter.insert_on_boundary(p);
+      result.cochains.after_boundary_split(inserter.triangulation(), split);
+      result.cones.push_back(split.vertex);
+      result.frozen.push_back(divisor[i].pinned);
+      if (!divisor[i].pinned) result.frames.add({static_cast<int>(i), split.second, 0.0});
       continue;
     }
     const Point_inserter::Inserted inserted = inserter.insert(p);
@@ -124,14 +193,15 @@ Length_derivatives::Length_derivatives(const Intrinsic_triangulation& t, const C
   : m_row(t.number_of_edges())
 {
   for (const Cone_frame& frame : frames.frames()) {
+    const bool slides = t.is_border(t.source(frame.reference));
     double angle = frame.angle;
     Halfedge h = frame.reference;
     do {
-      const Eigen::Vector2d derivative = -Eigen::Vector2d(std::cos(angle), std::sin(angle)) / t.length(h);
+      const Eigen::Vector2d derivative = -Eigen::Vector2d(std::cos(angle), slides ? 0.0 : std::sin(angle)) / t.length(h);
       Row& row = m_row[t.edge(h)];
       if (!row.empty() && row.back().first == frame.singularity) row.back().second += derivative;   // a loop at the cone
       else row.emplace_back(frame.singularity, derivative);
-      angle += angle_at_source(t, h);
+      if (!t.is_border(h)) angle += angle_at_source(t, h);
       h = t.next_around_source(h);
     } while (h != frame.reference);
   }

@@ -18,7 +18,8 @@ namespace Quartic_differentials {
 namespace internal {
 
 /// A divisor on its way over the surface. A vector of displacements has two entries a singularity, in the frame that
-/// is transported along its way: so displacements and gradients at different times can be added and compared.
+/// is transported along its way: so displacements and gradients at different times can be added and compared. Of a corner
+/// the first is the way along the boundary, the second 0.
 class Moving_divisor
 {
 public:

@@ -23,7 +23,8 @@ namespace Quartic_differentials {
 namespace internal {
 
 /// A direction at an inserted cone: the halfedge `reference` leaves it at `angle` in the unfolded frame of the face it
-/// was inserted in. Follows its halfedge through Euclidean flips.
+/// was inserted in. Follows its halfedge through Euclidean flips. At a corner the reference is the boundary edge that leaves
+/// it, with the surface on the left, at angle 0.
 struct Cone_frame
 {
   int      singularity;   ///< its number in the divisor
@@ -65,6 +66,8 @@ public:
   };
   /// \param p in a face of t
   Inserted insert(const Surface_point& p);
+  /// \param p on a boundary edge of its face of t, but not at a vertex
+  Intrinsic_triangulation::Boundary_split insert_on_boundary(const Surface_point& p);
 
   /// t with the points
   const Intrinsic_triangulation& triangulation() const { return m_split; }
@@ -72,6 +75,8 @@ public:
   const std::vector<Face>& original_faces() const { return m_original; }
 
 private:
+  std::vector<Face_piece>& pieces(Face f);
+
   const Intrinsic_triangulation&          m_t;
   Intrinsic_triangulation                 m_split;
   int                                     m_inserted = 0;
@@ -89,11 +94,13 @@ struct Inserted_cones
   Cone_frames             frames;   ///< of the cones that are not frozen
 };
 
-/// \throws Infeasible_divisor_error if two singularities take the same vertex
+/// \throws Infeasible_divisor_error if two singularities take the same vertex, or one that is no corner a boundary vertex
 Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor);
 
 /// the vertex within 1e-4 of the length of an adjacent edge of the face, or null
 Vertex vertex_at(const Intrinsic_triangulation& t, const Surface_point& p);
+/// the vertex that a singularity takes: of a corner the end within 1e-4 of the length of its boundary edge, or null
+Vertex vertex_at(const Intrinsic_triangulation& t, const Singularity& s);
 
 /// lambda: the derivatives of the logarithms of the edge lengths by the positions of the cones, sparse rows by edge.
 /// Rides along Ptolemy flips. (METHOD, step 6)
@@ -103,7 +110,8 @@ public:
   using Row = std::vector<std::pair<int, Eigen::Vector2d>>;   ///< (singularity, derivative by x and y), sorted
 
   Length_derivatives() = default;
-  /// moving a cone p by delta changes the length of its spokes only: lambda_e = -<e, delta> / l_e, e the unit direction
+  /// moving a cone p by delta changes the length of its spokes only: lambda_e = -<e, delta> / l_e, e the unit direction;
+  /// a corner moves along the boundary, which is the direction x
   Length_derivatives(const Intrinsic_triangulation& t, const Cone_frames& frames);
 
   const Row& operator[](Edge e) const { return m_row[e]; }
