@@ -58,6 +58,35 @@ void check_splits(const Surface_with_boundary& s)
   }
 }
 
+// Three vertices close to a long boundary edge: it is split below each of them, whatever the order in which this is found.
+void check_feet()
+{
+  Mesh mesh;
+  const auto vertex = [&](double x, double y) { return mesh.add_vertex(Point_3(x, y, 0)); };
+  const Vertex a = vertex(0, 0), b = vertex(10, 0), p = vertex(2, 0.6), q = vertex(5, 0.5), r = vertex(8, 0.6), top = vertex(5, 6);
+  mesh.add_face(a, b, q);
+  mesh.add_face(a, q, p);
+  mesh.add_face(q, b, r);
+  mesh.add_face(a, p, top);
+  mesh.add_face(p, q, top);
+  mesh.add_face(q, r, top);
+  mesh.add_face(r, b, top);
+  Intrinsic_triangulation t(mesh);
+  const std::size_t added = split_obtuse_at_boundary(t);
+  CHECK_EQUAL(added, t.number_of_vertices() - mesh.number_of_vertices());
+  std::vector<double> places;
+  for (std::size_t v = mesh.number_of_vertices(); v < t.number_of_vertices(); ++v) {
+    const Point_3 at = t.mesh().point(Vertex(static_cast<Mesh::size_type>(v)));
+    if (at.y() == 0) places.push_back(at.x());
+  }
+  std::sort(places.begin(), places.end());
+  CHECK_EQUAL(places.size(), 3u);
+  for (std::size_t k = 0; k < places.size(); ++k) CHECK_NEAR(places[k], 2 + 3 * static_cast<double>(k), 1e-12);
+  for (Edge e : t.edges())
+    if (t.is_border(e) && t.mesh().point(t.source(t.halfedge(e))).y() + t.mesh().point(t.target(t.halfedge(e))).y() == 0)
+      CHECK(std::abs(t.length(e) - 2) < 1e-12 || std::abs(t.length(e) - 3) < 1e-12);
+}
+
 // ---- the Abel-Jacobi map
 
 // Moving by small steps changes F as its derivative says, also where corners pass vertices.
@@ -336,6 +365,7 @@ int main()
       const Divisor divisor = random_divisor(prepared.delaunay, corners_of(surfaces[k].curves), 1, random);
       check_exact(prepared, legalize_divisor(prepared.map, divisor, {}, visitor).divisor);
     }
+  check_feet();
   check_refusals(random);
   return Quartic_test::result();
 }

@@ -310,6 +310,31 @@ void check_paths(const Surface_with_boundary& s)
     CHECK_EQUAL(Eigen::FullPivLU<Eigen::MatrixXd>(crossings.cast<double>()).rank(), static_cast<Eigen::Index>(arcs));
 }
 
+// A square with two holes whose borders are reached from the rim in many ways of the same length.
+Intrinsic_triangulation square_frame()
+{
+  const int n = 11;
+  Mesh mesh;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) mesh.add_vertex(Point_3(i, j, 0));
+  const auto vertex = [](int i, int j) { return Vertex(static_cast<Mesh::size_type>(j * (n + 1) + i)); };
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      if (j >= 4 && j < 7 && ((i >= 2 && i < 5) || (i >= 6 && i < 9))) continue;
+      mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
+      mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+    }
+  Mesh packed;   // without the vertices inside the holes
+  std::vector<Vertex> copy(mesh.number_of_vertices());
+  for (Vertex v : mesh.vertices())
+    if (!mesh.is_isolated(v)) copy[v] = packed.add_vertex(mesh.point(v));
+  for (Face f : mesh.faces()) {
+    const Halfedge h = mesh.halfedge(f);
+    packed.add_face(copy[mesh.source(h)], copy[mesh.target(h)], copy[mesh.target(mesh.next(h))]);
+  }
+  return Intrinsic_triangulation(packed);
+}
+
 // The harmonic forms with natural boundary conditions are those of the double in symmetric classes.
 void check_forms(const Surface_with_boundary& s)
 {
@@ -393,6 +418,8 @@ int main()
     check_flips(rim);
   }
   check_flips(Intrinsic_triangulation(with_disks_cut_out(jittered_torus(40, 20, 0.3, 3, 2), 2, 0.1)));
+  check_structure({"square frame", 0, 3, square_frame()});
+  check_paths({"square frame", 0, 3, square_frame()});
   check_small_gluings();
   const Billiards billiards;
   for (int n = 0; n < 300; ++n) billiards.check_walk(random);
