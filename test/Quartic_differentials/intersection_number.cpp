@@ -185,14 +185,7 @@ void check_sums(const Intrinsic_triangulation& t, const std::vector<Closed_curve
 }
 
 // The point at s of the way along h, in the coordinates of its face: on the edge, or at an end for s = 0 and 1.
-std::array<double, 3> on_edge(const Intrinsic_triangulation& t, Halfedge h, double s)
-{
-  std::array<double, 3> b{};
-  const int k = t.corner(h);
-  b[k] = 1 - s;
-  b[(k + 1) % 3] = s;
-  return b;
-}
+std::array<double, 3> along(const Intrinsic_triangulation& t, Halfedge h, double s) { return on_edge(t, h, s).barycentric; }
 
 // A dual walk as a polyline through its edges; every third crossing is pulled into an end of its edge.
 std::vector<Face_segment> through_edges(const Intrinsic_triangulation& t, const Closed_curve& c, std::mt19937& random)
@@ -203,8 +196,8 @@ std::vector<Face_segment> through_edges(const Intrinsic_triangulation& t, const 
     const Halfedge out = c.crossings[i], in = t.opposite(out);
     const double s = any(random, 3) == 0 ? static_cast<double>(any(random, 2)) : uniform(random, 0.1, 0.9);
     segments[i].face = t.face(out);
-    segments[i].target = on_edge(t, out, s);
-    segments[(i + 1) % n].source = on_edge(t, in, 1 - s);
+    segments[i].target = along(t, out, s);
+    segments[(i + 1) % n].source = along(t, in, 1 - s);
   }
   return segments;
 }
@@ -217,8 +210,8 @@ std::vector<Face_segment> along_edges(const Intrinsic_triangulation& t, const Wa
     for (int half = 0; half < 2; ++half) {
       const double from = 0.5 * half, to = from + 0.5;
       const Halfedge o = t.opposite(h);
-      if (any(random, 2) == 0) segments.push_back({t.face(h), on_edge(t, h, from), on_edge(t, h, to)});
-      else                     segments.push_back({t.face(o), on_edge(t, o, 1 - from), on_edge(t, o, 1 - to)});
+      if (any(random, 2) == 0) segments.push_back({t.face(h), along(t, h, from), along(t, h, to)});
+      else                     segments.push_back({t.face(o), along(t, o, 1 - from), along(t, o, 1 - to)});
     }
   return segments;
 }
@@ -303,7 +296,7 @@ void test_one_vertex()
   for (int k = 0; k < 3; ++k) {
     const Closed_curve a = closed_curve_along_edges(t, {h[k]}), b = closed_curve_along_edges(t, {h[(k + 1) % 3]});
     CHECK_EQUAL(intersection_number(t, a, b), 1);
-    const Closed_curve straight = closed_curve_along_segments(t, {{f, on_edge(t, h[k], 0), on_edge(t, h[k], 1)}});
+    const Closed_curve straight = closed_curve_along_segments(t, {{f, along(t, h[k], 0), along(t, h[k], 1)}});
     CHECK_EQUAL(intersection_number(t, straight, b), 1);
   }
   CHECK_EQUAL(homology_class(t, homology_basis(t).cochains, closed_curve_along_edges(t, {h[0], h[1], h[2]})),
@@ -313,7 +306,7 @@ void test_one_vertex()
   CHECK_THROWS(closed_curve_along_polyline(t, {{f, inside}, corner}), Error, "two corners there");
   CHECK_THROWS(closed_curve_along_polyline(t, {{f, inside}, {Face(1), inside}}), Error, "does not lie in it");
   CHECK_THROWS(closed_curve_along_polyline(t, {{f, inside}, {f, nowhere}}), Error, "no barycentric coordinate");
-  const std::vector<Face_segment> broken{{f, inside, on_edge(t, h[0], 0.5)}, {f, inside, inside}};
+  const std::vector<Face_segment> broken{{f, inside, along(t, h[0], 0.5)}, {f, inside, inside}};
   CHECK_THROWS(closed_curve_along_segments(t, broken), Error, "another point");
   CHECK_EQUAL(closed_curve_along_polyline(t, {{f, inside}}).crossings.size(), 0u);
 }
