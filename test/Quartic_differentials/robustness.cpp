@@ -303,7 +303,7 @@ int main(int argc, char** argv)
     results.push_back(run(seed, i));
     std::cerr << i << ": status " << results.back().status << ", " << results.back().cpu_seconds << " s, genus "
               << results.back().genus << std::endl;
-    if (results.back().status == 3) std::cout << "case " << i << ": " << results.back().how << "\n  " << results.back().sentence;
+    if (results.back().status == 3) std::cout << "    case " << i << ": " << results.back().how << "\n    " << results.back().sentence;
   }
   const auto numerical = std::count_if(results.begin(), results.end(), [](const Result& r) { return r.status == 3; });
   CHECK(static_cast<double>(numerical) <= 1 + numerical_failures_allowed * static_cast<double>(results.size()));
