@@ -229,7 +229,8 @@ Intrinsic_triangulation::Boundary_split Intrinsic_triangulation::split_boundary_
 std::string structural_defect(const Intrinsic_triangulation& t)
 {
   for (Halfedge h : t.halfedges()) {
-    if (!t.is_border(h) && t.next(t.next(t.next(h))) != h) return "halfedge " + std::to_string(h.idx()) + " is not in a triangle";
+    if (!t.is_border(h) && t.next(t.next(t.next(h))) != h)
+      return "halfedge " + std::to_string(h.idx()) + " is not in a triangle";
     if (t.prev(t.next(h)) != h) return "halfedge " + std::to_string(h.idx()) + " is not before its next";
     if (t.face(t.next(h)) != t.face(h)) return "halfedge " + std::to_string(h.idx()) + " changes its face";
     if (t.source(t.next(h)) != t.target(h)) return "halfedge " + std::to_string(h.idx()) + " changes its vertex";

@@ -63,7 +63,8 @@ void check_feet()
 {
   Mesh mesh;
   const auto vertex = [&](double x, double y) { return mesh.add_vertex(Point_3(x, y, 0)); };
-  const Vertex a = vertex(0, 0), b = vertex(10, 0), p = vertex(2, 0.6), q = vertex(5, 0.5), r = vertex(8, 0.6), top = vertex(5, 6);
+  const Vertex a = vertex(0, 0), b = vertex(10, 0), p = vertex(2, 0.6);
+  const Vertex q = vertex(5, 0.5), r = vertex(8, 0.6), top = vertex(5, 6);
   mesh.add_face(a, b, q);
   mesh.add_face(a, q, p);
   mesh.add_face(q, b, r);
@@ -167,14 +168,17 @@ void check_refusals(std::mt19937& random)
   const Prepared_surface annulus(Intrinsic_triangulation(plate(1, 14)));
   const Intrinsic_triangulation& t = annulus.delaunay;
   const auto curves = t.boundary_curves();
-  const auto corner = [&](int curve, double at, int m) { return Singularity{on_curve(t, curves[curve], at), m - 2, false, true}; };
+  const auto corner = [&](int curve, double at, int m) {
+    return Singularity{on_curve(t, curves[curve], at), m - 2, false, true};
+  };
   const auto legalized = [&](const Divisor& d) { return legalize_divisor(annulus.map, d, {}, visitor); };
   CHECK_THROWS(legalized({corner(0, 0.1, 1)}), Infeasible_divisor_error,
                "add up to -1, but on a surface of genus 0 with 2 boundary curves they must add up to 8g-8+4b = 0");
   CHECK_THROWS(legalized({corner(0, 0.1, 0), corner(0, 0.6, 4)}), Infeasible_divisor_error, "order below -1");
   CHECK_THROWS(legalized({corner(0, 0.1, 1), corner(0, 0.6, 3)}), Infeasible_divisor_error,
                "on the same curve of an annulus");
-  CHECK_THROWS(legalized({corner(0, 0.1, 1), corner(0, 0.6, 3), corner(0, 0.101, 2 + 0)}), Infeasible_divisor_error, "order 0");
+  CHECK_THROWS(legalized({corner(0, 0.1, 1), corner(0, 0.6, 3), corner(0, 0.101, 2)}), Infeasible_divisor_error,
+               "order 0");
   Divisor pinned{corner(0, 0.1, 1), corner(1, 0.6, 3)};
   for (Singularity& s : pinned) s.pinned = true;
   CHECK_THROWS(legalized(pinned), Infeasible_divisor_error, "control only 0 of the 1 Abel-Jacobi conditions");
@@ -277,7 +281,8 @@ bool check_double(const Prepared_surface& p, std::mt19937& random)
   CHECK(of_double.flow.reached());
   if (edges_across_mirror(of_double.triangulation, p.delaunay) > 0) return false;
   double shift = 0, worst = 0;   // scales are fixed up to a common factor
-  for (Vertex v : p.delaunay.vertices()) shift += (of_double.u[v] - m.u[v]) / static_cast<double>(p.delaunay.number_of_vertices());
+  for (Vertex v : p.delaunay.vertices()) shift += of_double.u[v] - m.u[v];
+  shift /= static_cast<double>(p.delaunay.number_of_vertices());
   for (Vertex v : p.delaunay.vertices()) {
     worst = std::max(worst, std::abs(of_double.u[v] - m.u[v] - shift));
     worst = std::max(worst, std::abs(of_double.u[v] - of_double.u[d.image[v]]));
@@ -308,7 +313,8 @@ void check_holonomy_jacobian(const Prepared_surface& p, const Divisor& divisor, 
   const auto turning = [&](double sign) {
     Divisor moved = divisor;
     for (std::size_t i = 0; i < divisor.size(); ++i) {
-      const Lifted_point at = divisor[i].on_boundary ? p.map.lift_on_boundary(divisor[i].location) : p.map.lift(divisor[i].location);
+      const Surface_point& place = divisor[i].location;
+      const Lifted_point at = divisor[i].on_boundary ? p.map.lift_on_boundary(place) : p.map.lift(place);
       moved[i].location = p.map.moved(at, sign * tiny * std::complex<double>(step[2 * i], step[2 * i + 1])).location;
     }
     const Cone_metric m = cone_metric(p.delaunay, cochains, moved, nullptr, {}, visitor);
@@ -316,7 +322,8 @@ void check_holonomy_jacobian(const Prepared_surface& p, const Divisor& divisor, 
   };
   const Eigen::VectorXd forward = turning(1), backward = turning(-1);
   for (Eigen::Index k = 0; k < j.rows(); ++k)
-    CHECK_NEAR(std::remainder(forward[k] - backward[k], 2 * pi) / (2 * tiny), j.row(k).dot(step), 1e-4 * (1 + (j * step).norm()));
+    CHECK_NEAR(std::remainder(forward[k] - backward[k], 2 * pi) / (2 * tiny), j.row(k).dot(step),
+               1e-4 * (1 + (j * step).norm()));
 }
 
 void check_exact(const Prepared_surface& p, const Divisor& divisor)
@@ -328,7 +335,8 @@ void check_exact(const Prepared_surface& p, const Divisor& divisor)
   CHECK(m.history.size() <= 6);
   for (double x : m.turning) CHECK_NEAR(std::remainder(x, pi / 2), 0, 1e-10);
   check_angles(m.metric);
-  std::cout << "  flow " << m.first_flow.newton_iterations << " steps, holonomy " << m.history.front() << " -> " << m.history.back()
+  std::cout << "  flow " << m.first_flow.newton_iterations << " steps, holonomy " << m.history.front() << " -> "
+            << m.history.back()
             << " in " << m.history.size() - 1 << ", edges and boundary " << m.max_transition_error << std::endl;
 }
 

@@ -359,7 +359,8 @@ void check_forms(const Surface_with_boundary& s)
   double difference = 0, gradient = 0;
   for (Face f : p.delaunay.faces()) {
     const auto here = p.delaunay.halfedges(f), there = d.surface.halfedges(f);
-    for (int k = 0; k < 3; ++k) difference = std::max(difference, largest((p.forms.row(here[k]) - forms.row(there[k])).transpose()));
+    for (int k = 0; k < 3; ++k)
+      difference = std::max(difference, largest((p.forms.row(here[k]) - forms.row(there[k])).transpose()));
     gradient = std::max(gradient, (gradients(p.delaunay, p.forms, f) - gradients(d.surface, forms, f)).cwiseAbs().maxCoeff());
   }
   CHECK_NEAR(difference, 0, 1e-10);

@@ -29,7 +29,8 @@ int main()
     std::vector<std::vector<int>> corners;
     for (int c = 0; c < s.curves; ++c) corners.push_back(lists[random() % lists.size()]);
     const Divisor divisor = random_divisor(p.delaunay, corners, static_cast<int>(random() % 4), random);
-    std::cout << n << ", " << s.name << (obtuse ? ", obtuse rim, " : ", ") << divisor.size() << " singularities: " << std::flush;
+    std::cout << n << ", " << s.name << (obtuse ? ", obtuse rim, " : ", ") << divisor.size() << " singularities: "
+              << std::flush;
     try {
       const Legal_divisor legal = legalize_divisor(p.map, divisor, {}, visitor);
       CHECK(legal.history.back() <= 1e-12);

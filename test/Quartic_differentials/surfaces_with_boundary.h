@@ -63,7 +63,8 @@ inline std::vector<Surface_with_boundary> surfaces_with_boundary()
 {
   std::vector<Surface_with_boundary> list;
   for (int holes = 0; holes <= 4; ++holes)
-    list.push_back({"plate with " + std::to_string(holes) + " holes", 0, holes + 1, Intrinsic_triangulation(plate(holes, 14))});
+    list.push_back({"plate with " + std::to_string(holes) + " holes", 0, holes + 1,
+                    Intrinsic_triangulation(plate(holes, 14))});
   const auto cut = [&](const std::string& name, int genus, const Mesh& mesh, int disks) {
     list.push_back({name + " without " + std::to_string(disks) + " disks", genus, disks,
                     Intrinsic_triangulation(with_disks_cut_out(mesh, disks, 0.1))});
@@ -176,7 +177,8 @@ inline Divisor random_divisor(const Intrinsic_triangulation& t, const std::vecto
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const double begin = uniform(random, 0, 1);
     for (std::size_t i = 0; i < corners[c].size(); ++i) {
-      const double at = begin + (static_cast<double>(i) + uniform(random, -0.2, 0.2)) / static_cast<double>(corners[c].size());
+      const double step = static_cast<double>(i) + uniform(random, -0.2, 0.2);
+      const double at = begin + step / static_cast<double>(corners[c].size());
       divisor.push_back({on_curve(t, curves[c], at - std::floor(at)), corners[c][i] - 2, false, true});
     }
   }

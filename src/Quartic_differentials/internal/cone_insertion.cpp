@@ -137,7 +137,8 @@ Intrinsic_triangulation::Boundary_split Point_inserter::insert_on_boundary(const
   const Face_piece whole = pieces[k];
   const int a = m_split.corner(h), b = (a + 1) % 3, c = (a + 2) % 3;
   const Complex z = point_in_frame(frame, p.barycentric);
-  const auto split = m_split.split_boundary_edge(h, std::abs(z - whole.corner[a]) / std::abs(whole.corner[b] - whole.corner[a]));
+  const double at = std::abs(z - whole.corner[a]) / std::abs(whole.corner[b] - whole.corner[a]);
+  const auto split = m_split.split_boundary_edge(h, at);
   m_original.resize(m_split.number_of_faces(), p.face);
   const int name = 3 + m_inserted++;
   pieces[k] = piece_with(m_split, split.first, {whole.corner[a], z, whole.corner[c]}, {whole.name[a], name, whole.name[c]});
