@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -123,32 +124,50 @@ void relax(const Intrinsic_triangulation& t, const std::vector<double>& weights,
 
 // The direction of Newton's first step from u = 0, nearly, without a factorisation of its own: the linear theory on the
 // surface without the cones is this step but for the triangles round them, where it is relaxed.
+// \param error K - target at u = 0
 Eigen::VectorXd first_direction(const Intrinsic_triangulation& t, const Divisor& divisor, const Cone_metric& m,
-                                const Laplacian_solver& factorized)
+                                const Laplacian_solver& factorized, const Eigen::VectorXd& error)
 {
   const Eigen::VectorXd u = Area_distortion(t, factorized, vertex_areas(t)).log_scale(divisor);
   Eigen::VectorXd direction(m.u.size());
   direction.head(u.size()) = u;
   for (std::size_t i = 0; i < divisor.size(); ++i) {
+    if (m.cones[i].idx() < t.number_of_vertices()) continue;   // it took a vertex
     const Surface_point& p = divisor[i].location;
     const auto h = t.halfedges(p.face);
-    if (m.cones[i].idx() < t.number_of_vertices()) continue;   // it took a vertex
     direction[m.cones[i]] = 0;
     for (int k = 0; k < 3; ++k) direction[m.cones[i]] += p.barycentric[k] * u[t.source(h[k])];
   }
-  const std::vector<double> angles = corner_angles(m.triangulation, m.triangulation.lengths());
   const std::vector<Vertex> near = with_neighbours(m.triangulation, with_neighbours(m.triangulation, m.cones));
-  relax(m.triangulation, cotangent_weights(m.triangulation, m.triangulation.lengths()),
-        curvature_error(m, curvatures(m.triangulation, angles)), near, direction);
+  relax(m.triangulation, cotangent_weights(m.triangulation, m.lengths), error, near, direction);
   return direction;
+}
+
+// Goes along a direction, by the first step of d, d/2, d/4 .. that `is_good(error, step)` accepts, at which triangle
+// inequalities hold. If none does, all stays as it was.
+template <class Is_good>
+bool step_along(Flow& flow, const Eigen::VectorXd& direction, double shortest, Eigen::VectorXd& error, Is_good is_good)
+{
+  Cone_metric& m = flow.metric;
+  const double longest = largest(direction);
+  for (double step = longest > 10 ? 10 / longest : 1; step > shortest; step /= 2) {
+    const std::vector<double> u = moved_scales(m.u, step, direction);
+    const Eigen::VectorXd tried = curvature_error(m, evaluate(flow, u));
+    if (!is_metric(flow) || !is_good(tried, step)) continue;
+    error = tried;
+    m.u = u;
+    return true;
+  }
+  error = curvature_error(m, evaluate(flow, m.u));
+  return false;
 }
 
 // Newton's method: L d = -(K - target). Along d the norm of the error falls at first, so that a step that shrinks it is
 // always found, but for rounding. Once the tolerance is reached, full steps with the last factorisation go on as long as
 // they halve the error, down to a hundredth of it: what is left at the vertices adds up along loops.
-// \param first the direction of the first step, or empty
-void newton(Flow& flow, Eigen::VectorXd first, Laplacian_solver& laplacian, const Cone_metric_options& options,
-            Visitor& visitor)
+// \param first the direction of the first step by the error there, or empty
+void newton(Flow& flow, const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& first, Laplacian_solver& laplacian,
+            const Cone_metric_options& options, Visitor& visitor)
 {
   Cone_metric& m = flow.metric;
   Eigen::VectorXd error = curvature_error(m, evaluate(flow, m.u));
@@ -157,38 +176,27 @@ void newton(Flow& flow, Eigen::VectorXd first, Laplacian_solver& laplacian, cons
     error = curvature_error(m, evaluate(flow, m.u));
   }
   m.flow.history.assign(1, largest(error));
-  bool factorized = false;
+  bool factorized = false, is_given = static_cast<bool>(first);
   while (m.flow.history.back() > 0.01 * m.flow.tolerance && m.flow.newton_iterations < options.newton_iterations) {
     if (!visitor.go_further()) throw Cancelled_error("stopped during the discrete Ricci flow");
-    const bool polishing = m.flow.history.back() <= m.flow.tolerance;
-    const bool near = m.flow.history.back() < near_error;
-    const bool is_given = first.size() > 0;
+    const bool polishing = m.flow.history.back() <= m.flow.tolerance, near = m.flow.history.back() < near_error;
     if (!is_given && (!polishing || !factorized)) {
       const std::vector<double> weights = cotangent_weights(m.triangulation, m.lengths);
       near ? laplacian.update(m.triangulation, weights) : laplacian.factorize(m.triangulation, weights);
       factorized = true;
     }
     // the errors add up to zero (Gauss-Bonnet) but for rounding, which is spread evenly
-    Eigen::VectorXd direction = is_given ? std::exchange(first, Eigen::VectorXd())
+    Eigen::VectorXd direction = is_given ? first(error)
                                          : -laplacian.solve((error.array() - error.mean()).matrix()).col(0);
     direction.array() -= direction.mean();
-    const double longest = largest(direction), shortest_step = polishing ? 0.75 : 1e-8;
-    bool accepted = false;
-    for (double step = longest > 10 ? 10 / longest : 1; step > shortest_step && !accepted; step /= 2) {
-      const std::vector<double> u = moved_scales(m.u, step, direction);
-      const Eigen::VectorXd tried = curvature_error(m, evaluate(flow, u));
-      accepted = is_metric(flow) && (polishing ? largest(tried) < 0.5 * m.flow.history.back()
-                                               : tried.norm() < error.norm() * (1 - 1e-4 * step));
-      if (accepted) {
-        error = tried;
-        m.u = u;
-      }
-    }
-    if (!accepted) {
-      error = curvature_error(m, evaluate(flow, m.u));
-      if (is_given) continue;
-      break;   // stagnation: rounding is reached
-    }
+    const bool accepted = polishing
+      ? step_along(flow, direction, 0.75, error,
+                   [&](const Eigen::VectorXd& e, double) { return largest(e) < 0.5 * m.flow.history.back(); })
+      : step_along(flow, direction, 1e-8, error, [norm = error.norm()](const Eigen::VectorXd& e, double step) {
+          return e.norm() < norm * (1 - 1e-4 * step);
+        });
+    if (!std::exchange(is_given, false) && !accepted) break;   // stagnation: rounding is reached
+    if (!accepted) continue;
     ++(polishing ? m.flow.polishing_steps : m.flow.newton_iterations);
     m.flow.history.push_back(largest(error));
     visitor.progress("flow, step " + std::to_string(m.flow.history.size() - 1) + ": curvature error "
@@ -221,8 +229,9 @@ Flow flow_of(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
   }
   m.lengths.resize(m.triangulation.number_of_edges());
   m.flow.tolerance = options.curvature_tolerance > 0 ? options.curvature_tolerance : 1e-11 + 1e-15 * static_cast<double>(n);
-  Eigen::VectorXd first;
-  if (warm_start == nullptr && factorized != nullptr) first = first_direction(t, divisor, m, *factorized);
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> first;
+  if (warm_start == nullptr && factorized != nullptr)
+    first = [&](const Eigen::VectorXd& error) { return first_direction(t, divisor, m, *factorized, error); };
   newton(flow, first, laplacian, options, visitor);
   return flow;
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -109,50 +110,42 @@ std::vector<double> vertex_areas(const Intrinsic_triangulation& t)
 
 struct Symmetric_factorization::Implementation
 {
-  internal::Sparse_cholesky solver;
-  Sparse_matrix             factorized;         // lower triangle, empty before the first factorisation
-  Sparse_matrix             matrix;             // the one to solve for
-  bool                      is_near = false;    // to the factorised one, but not the same
+  internal::Sparse_cholesky    solver;
+  Sparse_matrix                factorized;   // lower triangle, empty before the first factorisation
+  std::optional<Sparse_matrix> near;         // the matrix to solve for, where it is another one than that
 
-  void factorize()
+  void factorize(const Sparse_matrix& lower)
   {
-    if (!same_pattern(factorized, matrix)) solver.analyze(matrix);
-    factorized = matrix;
-    is_near = false;
+    if (!same_pattern(factorized, lower)) solver.analyze(lower);
+    factorized = lower;
+    near.reset();
     if (!solver.factorize(factorized))
       throw Numerical_error("a Laplacian could not be factorised: the triangulation is numerically degenerate");
   }
 
-  // One column of A x = b by conjugate gradients with the factorisation as preconditioner M (Golub and Van Loan, Matrix
-  // Computations, section 11.5): whether a relative error of 1e-10 in the energy norm was reached in few iterations.
-  bool solve_iteratively(const Eigen::VectorXd& b, Eigen::VectorXd& x) const
+  // Solves for the near matrix by conjugate gradients with the factorisation as preconditioner (Golub and Van Loan, Matrix
+  // Computations, section 11.5): whether a relative error of 1e-10 in the energy norm is reached in few iterations.
+  bool solve_iteratively(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const
   {
     const double squared_tolerance = 1e-20;
     const int most = 12;
-    x = Eigen::VectorXd::Zero(b.size());
-    Eigen::VectorXd r = b, z = solver.solve(r), p = z;
-    double rz = r.dot(z);
-    const double enough = squared_tolerance * rz;
-    for (int k = 0; k < most && rz > enough; ++k) {
-      const Eigen::VectorXd ap = matrix.selfadjointView<Eigen::Lower>() * p;
-      const double alpha = rz / p.dot(ap);
-      x += alpha * p;
-      r -= alpha * ap;
-      z = solver.solve(r);
-      const double next = r.dot(z);
-      p = z + (next / rz) * p;
-      rz = next;
-    }
-    return rz <= enough;
-  }
-
-  bool solve_iteratively(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const
-  {
-    x.resize(b.rows(), b.cols());
-    Eigen::VectorXd column;
-    for (Eigen::Index k = 0; k < b.cols(); ++k) {
-      if (!solve_iteratively(Eigen::VectorXd(b.col(k)), column)) return false;
-      x.col(k) = column;
+    x = Eigen::MatrixXd::Zero(b.rows(), b.cols());
+    Eigen::VectorXd r, z, p, ap;
+    for (Eigen::Index column = 0; column < b.cols(); ++column) {
+      r = b.col(column);
+      p = z = solver.solve(r);
+      double rz = r.dot(z);
+      const double enough = squared_tolerance * rz;
+      for (int k = 0; rz > enough; ++k) {
+        if (k == most) return false;
+        ap.noalias() = near->selfadjointView<Eigen::Lower>() * p;
+        const double alpha = rz / p.dot(ap);
+        x.col(column) += alpha * p;
+        r -= alpha * ap;
+        z = solver.solve(r);
+        p = z + (r.dot(z) / rz) * p;
+        rz = r.dot(z);
+      }
     }
     return true;
   }
@@ -166,15 +159,13 @@ Symmetric_factorization& Symmetric_factorization::operator=(Symmetric_factorizat
 void Symmetric_factorization::factorize(const Sparse_matrix& lower)
 {
   if (lower.rows() == 0) return;   // of a surface with one vertex: there is nothing to solve for
-  m_implementation->matrix = lower;
-  m_implementation->factorize();
+  m_implementation->factorize(lower);
 }
 
 void Symmetric_factorization::update(const Sparse_matrix& lower)
 {
   if (lower.rows() != m_implementation->factorized.rows()) return factorize(lower);
-  m_implementation->matrix = lower;
-  m_implementation->is_near = true;
+  m_implementation->near = lower;
 }
 
 Eigen::MatrixXd Symmetric_factorization::solve(const Eigen::MatrixXd& right_hand_sides) const
@@ -182,8 +173,8 @@ Eigen::MatrixXd Symmetric_factorization::solve(const Eigen::MatrixXd& right_hand
   if (right_hand_sides.size() == 0) return right_hand_sides;
   Implementation& s = *m_implementation;
   Eigen::MatrixXd x;
-  if (s.is_near && !s.solve_iteratively(right_hand_sides, x)) s.factorize();
-  if (!s.is_near) x = s.solver.solve(right_hand_sides);
+  if (s.near && !s.solve_iteratively(right_hand_sides, x)) s.factorize(Sparse_matrix(*s.near));
+  if (!s.near) x = s.solver.solve(right_hand_sides);
   if (!x.allFinite()) throw Numerical_error("a linear system has no finite solution: the triangulation is degenerate");
   return x;
 }

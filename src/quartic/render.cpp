@@ -82,7 +82,8 @@ void add_render(CLI::App& app)
   command->add_option("-o,--output", options->target, "Folder for the pictures, made if it is not there (DIR)");
   command->add_option("--view", options->view,
                       "What to draw: 'checkerboard', the charts; 'tmesh', the rectangles; 'quads', the quad mesh; "
-                      "'wireframe', the refined triangles; 'loops', tunnel loops amber and handle loops teal; 'all', those for which there are results")
+                      "'wireframe', the refined triangles; 'loops', tunnel loops amber and handle loops teal; 'all', "
+                      "those for which there are results")
          ->check(CLI::IsMember({"checkerboard", "tmesh", "quads", "wireframe", "loops", "all"}))->capture_default_str();
   command->add_option("--size", options->picture.size, "Pixels of the longer side")
          ->check(CLI::Range(16, 10000))->capture_default_str();

@@ -28,7 +28,8 @@ using namespace Quartic_test;
 namespace {
 
 const Program_folder folder;
-const std::string    everything = " -q --quads 300 --splines --quad-format obj,off,ply,vtu --pareto --intrinsic";
+const std::string    everything = " -q --quads 300 --splines --quad-format obj,off,ply,vtu --pareto --intrinsic"
+                               " --surface-format ply,vtp,vtu,glb --tmesh-obj";
 
 using Files = std::map<std::string, std::string>;   // contents by name
 

@@ -26,7 +26,8 @@ using namespace Quartic_test;
 namespace {
 
 const Program_folder folder;
-const std::string    options = " -q --quads 300 --splines --pareto --intrinsic --quad-format off,ply,vtu";
+const std::string    options = " -q --quads 300 --splines --pareto --intrinsic --quad-format off,ply,vtu"
+                            " --surface-format ply,vtp,vtu,glb --tmesh-obj";
 
 // the report without times, memory and the name of the mesh
 nlohmann::json lasting_report(const std::string& run)

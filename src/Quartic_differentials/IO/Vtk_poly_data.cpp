@@ -6,13 +6,13 @@
 
 #include <CGAL/Quartic_differentials/exceptions.h>
 
+#include <boost/endian/conversion.hpp>
 #include <pugixml.hpp>
 #include <zlib.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <string_view>
 #include <system_error>
@@ -88,14 +88,10 @@ struct Encoding
   template <class Number>
   Number number(const char* bytes) const
   {
-    std::array<char, sizeof(Number)> ordered;
-    const std::uint16_t one = 1;
-    const bool is_host_little_endian = *reinterpret_cast<const unsigned char*>(&one) == 1;
-    std::copy(bytes, bytes + sizeof(Number), ordered.begin());
-    if (is_little_endian != is_host_little_endian) std::reverse(ordered.begin(), ordered.end());
-    Number x;
-    std::memcpy(&x, ordered.data(), sizeof x);
-    return x;
+    namespace endian = boost::endian;
+    const auto* const p = reinterpret_cast<const unsigned char*>(bytes);
+    return is_little_endian ? endian::endian_load<Number, sizeof(Number), endian::order::little>(p)
+                            : endian::endian_load<Number, sizeof(Number), endian::order::big>(p);
   }
 
   std::size_t header_item(Byte_reader& in) const

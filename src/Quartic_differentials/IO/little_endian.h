@@ -5,10 +5,9 @@
 #ifndef CGAL_QUARTIC_DIFFERENTIALS_LITTLE_ENDIAN_H
 #define CGAL_QUARTIC_DIFFERENTIALS_LITTLE_ENDIAN_H
 
-#include <cstdint>
-#include <cstring>
+#include <boost/endian/conversion.hpp>
+
 #include <string>
-#include <type_traits>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -17,12 +16,9 @@ namespace Quartic_differentials {
 template <class Number>
 void append_little_endian(std::string& bytes, Number x)
 {
-  using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t,
-               std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint8_t>>;
-  static_assert(sizeof(Bits) == sizeof(Number), "a number of 1, 4 or 8 bytes");
-  Bits bits;
-  std::memcpy(&bits, &x, sizeof x);
-  for (std::size_t k = 0; k < sizeof x; ++k) bytes.push_back(static_cast<char>(bits >> 8 * k & 255));
+  unsigned char ordered[sizeof x];
+  boost::endian::endian_store<Number, sizeof x, boost::endian::order::little>(ordered, x);
+  bytes.append(ordered, ordered + sizeof x);
 }
 
 } } // namespace CGAL::Quartic_differentials

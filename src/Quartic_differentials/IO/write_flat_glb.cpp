@@ -8,10 +8,9 @@
 #include <CGAL/Quartic_differentials/IO/write_checkerboard.h>
 #include <CGAL/Quartic_differentials/IO/write_flat_surface.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/diagonal.h>
 #include <CGAL/Quartic_differentials/internal/render.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
-
-#include <CGAL/Bbox_3.h>
 
 #include <nlohmann/json.hpp>
 
@@ -43,16 +42,15 @@ enum : int { unsigned_int = 5125, single_precision = 5126, vertex_data = 34962, 
 // What glTF draws: one position, normal and texture coordinate a vertex.
 struct Gltf_surface
 {
-  Floats                            middle;       // positions are relative to this
-  std::vector<Floats>               positions, normals;
-  std::vector<std::array<float, 2>> uv;
-  std::vector<std::uint32_t>        corners;      // three a triangle
+  Floats                                    middle;    // positions are relative to this
+  std::vector<Floats>                       positions, normals;
+  std::vector<std::array<float, 2>>         uv;
+  std::vector<std::array<std::uint32_t, 1>> corners;   // three a triangle
 };
 
 Floats middle_of(const Intrinsic_triangulation& t)
 {
-  Bbox_3 box;
-  for (Vertex v : t.vertices()) box += t.mesh().point(v).bbox();
+  const Bbox_3 box = bbox_3(t.mesh().points().begin(), t.mesh().points().end());
   Floats middle;
   for (int k = 0; k < 3; ++k) middle[k] = static_cast<float>(box.min(k) / 2 + box.max(k) / 2);
   return middle;
@@ -61,9 +59,7 @@ Floats middle_of(const Intrinsic_triangulation& t)
 // by corner of a face; positions are made comparable to 1 first, so that squares of lengths stay in range
 std::vector<std::array<Eigen::Vector3d, 3>> corner_normals(const Intrinsic_triangulation& t)
 {
-  Bbox_3 box;
-  for (Vertex v : t.vertices()) box += t.mesh().point(v).bbox();
-  const double size = std::max({box.x_span(), box.y_span(), box.z_span()});
+  const double size = internal::diagonal(t.mesh().points());
   std::vector<Point_3> points;
   for (Vertex v : t.vertices()) {
     const Point_3& p = t.mesh().point(v);
@@ -101,7 +97,7 @@ Gltf_surface gltf_surface(const Quartic_differential& q)
     for (int k = 0; k < 3; ++k) {
       const Floats normal = unit_vector(normals[f][k]);
       const auto [it, is_new] = vertex.try_emplace({corners[k], normal}, static_cast<std::uint32_t>(s.positions.size()));
-      s.corners.push_back(it->second);
+      s.corners.push_back({it->second});
       if (!is_new) continue;
       const Point_3& p = t.mesh().point(texture.vertices[corners[k]]);
       s.positions.push_back({static_cast<float>(p.x() - s.middle[0]), static_cast<float>(p.y() - s.middle[1]),
@@ -175,12 +171,10 @@ Json list_of_one(Json item)
 
 Json gltf_json(const Gltf_surface& s, const std::string& png, Gltf_buffer& buffer)
 {
-  std::vector<std::array<std::uint32_t, 1>> corners;
-  for (std::uint32_t v : s.corners) corners.push_back({v});
   const Json attributes = {{"POSITION", buffer.add(s.positions, single_precision, vertex_data, true)},
                            {"NORMAL", buffer.add(s.normals, single_precision, vertex_data, false)},
                            {"TEXCOORD_0", buffer.add(s.uv, single_precision, vertex_data, false)}};
-  const int indices = buffer.add(corners, unsigned_int, index_data, false);
+  const int indices = buffer.add(s.corners, unsigned_int, index_data, false);
   const int image = buffer.add_image(png);
   const Json primitive = {{"attributes", attributes}, {"indices", indices}, {"material", 0}};
   const Json shading = {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}, {"roughnessFactor", 0.8}};

@@ -20,7 +20,7 @@ namespace internal {
 namespace {
 
 // From this size on, nested dissection (METIS) pays: a factorisation then takes half the time or less, and finding the
-// order as long as three of them. Below, minimum degree (AMD) is as good. (benchmark/README.md, "Orders of elimination")
+// order as long as three of them. Below, minimum degree (AMD) is as good. (benchmark_orders; METHOD, "Factorisations")
 const std::size_t large = 100000;
 const double      worn = 1.5;   // an order is found anew when the fill has grown by this factor
 
@@ -29,13 +29,13 @@ const double      worn = 1.5;   // an order is found anew when the fill has grow
 class Setting
 {
 public:
-  using Get = int (*)();
-  using Set = void (*)(int);
-
-  Setting(Get get, Set set, int value) : m_set(get != nullptr ? set : nullptr), m_old(m_set != nullptr ? get() : value)
+  Setting(const char* get, const char* set, int value) : m_set(function<void (*)(int)>(set))
   {
-    if (m_old != value) m_set(value);
-    else m_set = nullptr;
+    const auto current = function<int (*)()>(get);
+    if (current == nullptr) m_set = nullptr;
+    if (m_set == nullptr) return;
+    m_old = current();
+    m_set(value);
   }
   ~Setting()
   {
@@ -45,27 +45,20 @@ public:
   Setting& operator=(const Setting&) = delete;
 
 private:
-  Set m_set;
-  int m_old;
-};
+  template <class Function>
+  static Function function(const char* name) { return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name)); }
 
-template <class Function>
-Function loaded(const char* name) { return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name)); }
+  void (*m_set)(int);
+  int  m_old = 0;
+};
 
 // Keeps CHOLMOD and the BLAS to one thread. CHOLMOD 3 asks OpenMP for four, whatever the machine has, and they wait for each
 // other most of the time: twice the CPU time, and results that depend on the number of cores.
-class One_thread
+struct One_thread
 {
-  static const Setting::Get levels, threads;
-  static const Setting::Set set_levels, set_threads;
-  const Setting m_openmp{levels, set_levels, 0};   // no level of parallel regions
-  const Setting m_blas{threads, set_threads, 1};
+  Setting openmp{"omp_get_max_active_levels", "omp_set_max_active_levels", 0};   // no level of parallel regions
+  Setting blas{"openblas_get_num_threads", "openblas_set_num_threads", 1};
 };
-
-const Setting::Get One_thread::levels  = loaded<Setting::Get>("omp_get_max_active_levels");
-const Setting::Set One_thread::set_levels = loaded<Setting::Set>("omp_set_max_active_levels");
-const Setting::Get One_thread::threads = loaded<Setting::Get>("openblas_get_num_threads");
-const Setting::Set One_thread::set_threads = loaded<Setting::Set>("openblas_set_num_threads");
 
 // CHOLMOD's view of Eigen's memory.
 cholmod_sparse view_of(const Sparse_cholesky::Matrix& lower)
@@ -87,14 +80,14 @@ cholmod_sparse view_of(const Sparse_cholesky::Matrix& lower)
   return view;
 }
 
-cholmod_dense view_of(Eigen::MatrixXd& m)
+cholmod_dense view_of(const Eigen::Ref<const Eigen::MatrixXd>& m)
 {
   cholmod_dense view{};
   view.nrow = static_cast<std::size_t>(m.rows());
   view.ncol = static_cast<std::size_t>(m.cols());
-  view.nzmax = static_cast<std::size_t>(m.size());
-  view.d = view.nrow;
-  view.x = m.data();
+  view.d = static_cast<std::size_t>(m.outerStride());
+  view.nzmax = view.d * view.ncol;
+  view.x = const_cast<double*>(m.data());   // CHOLMOD does not write to it
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
   return view;
@@ -124,6 +117,7 @@ Sparse_cholesky::Sparse_cholesky()
 Sparse_cholesky::~Sparse_cholesky()
 {
   free_factor();
+  for (cholmod_dense** memory : {&m_solution, &m_workspace[0], &m_workspace[1]}) cholmod_free_dense(memory, &m_common);
   cholmod_finish(&m_common);
 }
 
@@ -168,16 +162,13 @@ bool Sparse_cholesky::factorize(const Matrix& lower)
   return m_common.status == CHOLMOD_OK && m_factor->minor == m_factor->n;
 }
 
-Eigen::MatrixXd Sparse_cholesky::solve(const Eigen::MatrixXd& b) const
+Eigen::MatrixXd Sparse_cholesky::solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const
 {
   const One_thread one_thread;
-  Eigen::MatrixXd x(b.rows(), b.cols());
-  cholmod_dense right = view_of(const_cast<Eigen::MatrixXd&>(b));   // CHOLMOD does not write to it
-  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, m_factor, &right, &m_common);
-  if (solution == nullptr) throw Numerical_error("a linear system could not be solved: there is not enough memory");
-  std::copy_n(static_cast<const double*>(solution->x), b.size(), x.data());
-  cholmod_free_dense(&solution, &m_common);
-  return x;
+  cholmod_dense right = view_of(b);
+  if (!cholmod_solve2(CHOLMOD_A, m_factor, &right, nullptr, &m_solution, nullptr, &m_workspace[0], &m_workspace[1], &m_common))
+    throw Numerical_error("a linear system could not be solved: there is not enough memory");
+  return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(m_solution->x), b.rows(), b.cols());
 }
 
 } } } // namespace CGAL::Quartic_differentials::internal

@@ -46,7 +46,7 @@ public:
   void analyze(const Matrix& lower);
   /// whether the matrix is positive definite. \pre its pattern was analyzed last
   bool factorize(const Matrix& lower);
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
 
   const Elimination_order& order() const { return m_order; }
   /// an order for the patterns to come, whose rows are those it holds but for some at the end
@@ -59,6 +59,8 @@ private:
   void free_factor();
 
   mutable cholmod_common m_common;
+  mutable cholmod_dense* m_solution = nullptr;                   // memory that serves all solves, with the next
+  mutable cholmod_dense* m_workspace[2] = {nullptr, nullptr};
   cholmod_factor*        m_factor = nullptr;
   Elimination_order      m_order;
 };
@@ -77,7 +79,7 @@ public:
     m_solver.factorize(lower);
     return m_solver.info() == Eigen::Success;
   }
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const { return m_solver.solve(b); }
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const { return m_solver.solve(b); }
   Elimination_order order() const { return {}; }
   void set_order(const Elimination_order&) {}
   static const char* name() { return "Eigen SimplicialLDLT"; }

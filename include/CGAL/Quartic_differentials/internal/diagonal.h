@@ -6,7 +6,6 @@
 #define CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_DIAGONAL_H
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/bounding_box.h>
 
 #include <cmath>
 
