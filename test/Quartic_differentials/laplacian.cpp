@@ -116,6 +116,7 @@ int main()
     other_patterns(t, random);
     not_positive(t);
   }
+  near_and_far(Intrinsic_triangulation(hyperelliptic(2, 0)), random);         // parallel edges
   near_and_far(Intrinsic_triangulation(torus(3, 1, 500, 201)), random);   // ordered by nested dissection
   order_of_another_surface(random);
   return Quartic_test::result();
