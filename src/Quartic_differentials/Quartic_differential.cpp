@@ -46,6 +46,13 @@ std::string defect_of_transitions(const Quartic_differential& q)
   for (Halfedge h : t.halfedges()) {
     const Transition& across = q.transition[h];
     const Halfedge o = t.opposite(h);
+    if (t.is_border(h)) continue;
+    if (t.is_border(o)) {
+      const Grid_vector along = q.corner[t.next(h)] - q.corner[h];
+      if (along.x != 0 && along.y != 0)
+        return "the boundary edge at halfedge " + std::to_string(h.idx()) + " is not parallel to an axis";
+      continue;
+    }
     if (across.rotation < 0 || across.rotation > 3)
       return "the rotation across halfedge " + std::to_string(h.idx()) + " is not 0, 1, 2 or 3";
     if (across(q.corner[h]) != q.corner[t.next(o)] || across(q.corner[t.next(h)]) != q.corner[o])
@@ -68,9 +75,21 @@ int axes_in_corner(const Quartic_differential& q, Halfedge h)
   return n;
 }
 
+// The angle between two boundary edges, which are parallel to axes. (the last one is not held by a corner)
+std::string defect_of_boundary_vertex(const Quartic_differential& q, Vertex v)
+{
+  const Intrinsic_triangulation& t = q.triangulation;
+  int quarters = 0;
+  for (Halfedge h = t.halfedge_from(v); !t.is_border(h); h = t.next_around_source(h)) quarters += axes_in_corner(q, h);
+  if (quarters == q.order[v] + 2) return {};
+  return "the angle at " + vertex_name(v) + " of the boundary is " + std::to_string(quarters) + "*90 degrees, its order "
+       + std::to_string(q.order[v]);
+}
+
 std::string defect_of_vertex(const Quartic_differential& q, Vertex v)
 {
   const Intrinsic_triangulation& t = q.triangulation;
+  if (t.is_border(v)) return defect_of_boundary_vertex(q, v);
   const Halfedge first = t.halfedge_from(v);
   Halfedge h = first;
   Transition round;
@@ -100,9 +119,11 @@ std::string defect_of_divisor(const Quartic_differential& q)
   }
   for (Vertex v : q.triangulation.vertices())
     if (q.order[v] != 0 && !listed[v]) return vertex_name(v) + " has an order but is not listed as a singularity";
-  const int right_degree = 8 * q.triangulation.genus() - 8;
+  const int curves = q.triangulation.number_of_boundary_curves();
+  const int right_degree = 8 * q.triangulation.genus() - 8 + 4 * curves;
   if (degree != right_degree)
-    return "the degree is " + std::to_string(degree) + " instead of 8g - 8 = " + std::to_string(right_degree);
+    return "the degree is " + std::to_string(degree) + " instead of 8g - 8" + (curves == 0 ? "" : " + 4b") + " = "
+         + std::to_string(right_degree);
   return {};
 }
 

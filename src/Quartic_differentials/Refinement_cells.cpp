@@ -199,6 +199,26 @@ Refinement_cells::Refinement_cells(const Common_refinement& refinement, const In
   }
   sort_into_faces(m_c, [](const Refinement_cell& cell) { return cell.c_face; });
   sort_into_faces(m_a, [](const Refinement_cell& cell) { return cell.a_face; });
+  for (Halfedge h : c.halfedges()) {
+    if (!c.is_border(h)) continue;
+    const Halfedge in = c.opposite(h);   // no boundary edge is flipped: it is one of both
+    const Side in_c{c.face(in), c.corner(in)}, in_a{a.face(in), a.corner(in)};
+    m_c_side[in_a] = in_c;
+    m_a_side[in_c] = in_a;
+  }
+}
+
+std::optional<Surface_point> Refinement_cells::mapped_along_boundary(const Surface_point& p, const Sides& other_side)
+{
+  for (int k = 0; k < 3; ++k) {
+    if (p.barycentric[(k + 2) % 3] != 0) continue;
+    const auto it = other_side.find({p.face, k});
+    if (it == other_side.end()) continue;
+    Surface_point q{it->second.face, {0, 0, 0}};
+    for (int end : {0, 1}) q.barycentric[(it->second.number + end) % 3] = p.barycentric[(k + end) % 3];
+    return q;
+  }
+  return std::nullopt;
 }
 
 template <class Face_of> void Refinement_cells::sort_into_faces(Layout& layout, Face_of face_of) const
@@ -255,6 +275,7 @@ Complex Refinement_cells::mapped(const Refinement_cell& cell, const Layout& from
 
 Surface_point Refinement_cells::to_input(const Surface_point& p) const
 {
+  if (const auto on_boundary = mapped_along_boundary(p, m_a_side)) return *on_boundary;
   const Complex z = unfold(m_c.faces[p.face], p.barycentric);
   const Refinement_cell& cell = cell_at(m_c, p.face, z);
   return {cell.a_face, barycentric(m_a.faces[cell.a_face], mapped(cell, m_c, m_a, z))};
@@ -262,6 +283,7 @@ Surface_point Refinement_cells::to_input(const Surface_point& p) const
 
 Surface_point Refinement_cells::from_input(const Surface_point& p) const
 {
+  if (const auto on_boundary = mapped_along_boundary(p, m_c_side)) return *on_boundary;
   const Complex z = unfold(m_a.faces[p.face], p.barycentric);
   const Refinement_cell& cell = cell_at(m_a, p.face, z);
   return {cell.c_face, barycentric(m_c.faces[cell.c_face], mapped(cell, m_a, m_c, z))};

@@ -22,6 +22,7 @@ namespace Quartic_differentials {
 //   k_s     the rotation i^k of the change of charts across s, from the face on the left of s to the one at s'
 //   d_s     the vector along s; d_s' = -i^k_s d_s
 //   A       the side of each pair that is computed; the other one is its image
+//   r_s     the direction of a side on the boundary of the surface: d_s = L_s i^r_s with an integer L_s
 
 namespace {
 
@@ -62,6 +63,7 @@ std::vector<Complex> positions_of_copies(const Intrinsic_triangulation& t, const
   std::vector<Complex> result(disk.number_of_copies);
   std::vector<double> shortest(disk.number_of_copies, std::numeric_limits<double>::infinity());
   for (Halfedge h : t.halfedges()) {
+    if (t.is_border(h)) continue;
     const std::size_t c = disk.copy[h];
     if (lengths[t.edge(h)] >= shortest[c]) continue;
     shortest[c] = lengths[t.edge(h)];
@@ -70,11 +72,13 @@ std::vector<Complex> positions_of_copies(const Intrinsic_triangulation& t, const
   return result;
 }
 
-// k_s of every side; `error` becomes the worst deviation of an edge from it [radians]
+// k_s of every side, r_s on the boundary of the surface; `error` becomes the worst deviation of an edge from it [radians]
 std::vector<int> rotations(const Intrinsic_triangulation& t, const Cut_disk& disk, const std::vector<Complex>& direction,
                            double& error)
 {
-  const auto turn = [&](Halfedge h) { return std::arg(-direction[t.opposite(h)] / direction[h]); };
+  const auto turn = [&](Halfedge h) {
+    return std::arg(t.is_border(t.opposite(h)) ? direction[h] : -direction[t.opposite(h)] / direction[h]);
+  };
   std::vector<int> result;
   for (const Cut_disk::Side& s : disk.sides) {
     const double k = std::round(turn(disk.boundary[s.first]) / (pi / 2));
@@ -83,6 +87,17 @@ std::vector<int> rotations(const Intrinsic_triangulation& t, const Cut_disk& dis
     result.push_back(static_cast<int>(k) & 3);
   }
   return result;
+}
+
+// the component of v along i^k
+double along(int k, Complex v)
+{
+  switch (k) {
+    case 0:  return v.real();
+    case 1:  return v.imag();
+    case 2:  return -v.real();
+    default: return -v.imag();
+  }
 }
 
 // ---- Exact seams
@@ -121,25 +136,79 @@ void spread(Grid_vector r, const std::vector<std::size_t>& pool, const std::vect
   }
 }
 
-// The vectors d_s of all sides on the grid, exactly mated and exactly closed: sum of (1 - i^k_s) d_s = 0 over the A
-// sides. If every k is 0 the sum vanishes term by term and nothing is spread.
+// The same over the sides of `pool` on the boundary of the surface, which are parallel: d_s -= q_s, the sum of q_s is r.
+void spread_along(Grid_vector r, const std::vector<std::size_t>& pool, Grid_vectors& d)
+{
+  double length = 0;
+  for (std::size_t s : pool) length += std::abs(to_complex(d[s]));
+  for (std::size_t s : pool) {
+    const double own = std::abs(to_complex(d[s]));
+    const Grid_vector q = s == pool.back() ? r : rounded(to_complex(r) * (own / length));
+    d[s] = d[s] - q;
+    r = r - q;
+    length -= own;
+  }
+}
+
+// The sides by what they can do about the closure equation.
+struct Pools
+{
+  std::vector<std::size_t> odd, half_turn;         // A sides with k_s odd, and k_s = 2
+  std::vector<std::size_t> horizontal, vertical;   // sides on the boundary
+
+  const std::vector<std::size_t>& seams() const { return odd.empty() ? half_turn : odd; }
+};
+
+// What the seams take of the residual r: all of it, or with boundary only the component that has no side there. To an odd
+// k belong multiples of 1 - i, whose components have the same parity, which the other component is made to have.
+Grid_vector share_of_seams(Grid_vector r, const Pools& pools)
+{
+  const bool has_x = !pools.horizontal.empty(), has_y = !pools.vertical.empty();
+  if (has_x && has_y) return {};
+  if (has_x) return {pools.odd.empty() ? 0 : r.y & 1, r.y};
+  if (has_y) return {r.x, pools.odd.empty() ? 0 : r.x & 1};
+  return r;
+}
+
+// The vectors d_s of all sides on the grid, exactly mated and exactly closed: the sum of (1 - i^k_s) d_s over the A sides
+// and of L_s i^r_s over those on the boundary is 0. If there is no boundary and every k is 0 the sum vanishes term by
+// term and nothing is spread.
 Grid_vectors closed_polygon(const Cut_disk& disk, const std::vector<int>& k, const std::vector<Complex>& z,
                             Grid_vector& residual)
 {
   Grid_vectors d(disk.sides.size());
-  std::vector<std::size_t> odd, half_turn;
+  Pools pools;
   residual = {};
   for (std::size_t s = 0; s < d.size(); ++s) {
-    if (s > disk.sides[s].mate) continue;
-    d[s] = rounded(z[disk.sides[disk.next_side(s)].first]) - rounded(z[disk.sides[s].first]);
-    residual = residual + times_one_minus_rotation(d[s], k[s]);
-    if (k[s] % 2 == 1) odd.push_back(s);
-    if (k[s] == 2) half_turn.push_back(s);
+    const Complex begin = z[disk.sides[s].first], end = z[disk.sides[disk.next_side(s)].first];
+    if (disk.is_border(s)) {
+      d[s] = rotated({std::llround(along(k[s], end - begin)), 0}, k[s]);
+      residual = residual + d[s];
+      (k[s] % 2 == 0 ? pools.horizontal : pools.vertical).push_back(s);
+    } else if (s < disk.sides[s].mate) {
+      d[s] = rounded(end) - rounded(begin);
+      residual = residual + times_one_minus_rotation(d[s], k[s]);
+      if (k[s] % 2 == 1) pools.odd.push_back(s);
+      if (k[s] == 2) pools.half_turn.push_back(s);
+    }
   }
-  spread(residual, odd.empty() ? half_turn : odd, k, d);
+  const Grid_vector by_seams = share_of_seams(residual, pools), by_boundary = residual - by_seams;
+  spread(by_seams, pools.seams(), k, d);
+  spread_along({by_boundary.x, 0}, pools.horizontal, d);
+  spread_along({0, by_boundary.y}, pools.vertical, d);
   for (std::size_t s = 0; s < d.size(); ++s)
     if (s < disk.sides[s].mate) d[disk.sides[s].mate] = Grid_vector{} - rotated(d[s], k[s]);
   return d;
+}
+
+// The vertices of a side on the boundary of the surface lie on the line through its ends, in direction i^r.
+void snap_border_side(const Cut_disk& disk, std::size_t s, int r, const std::vector<Complex>& z, Grid_vectors& point)
+{
+  const Cut_disk::Side& side = disk.sides[s];
+  const std::size_t end = disk.sides[disk.next_side(s)].first;
+  const double length = along(r, z[end] - z[side.first]), snapped = along(r, to_complex(point[end] - point[side.first]));
+  for (std::size_t i = side.first + 1; i < side.first + side.size; ++i)
+    point[i] = point[side.first] + rotated({std::llround(along(r, z[i] - z[side.first]) / length * snapped), 0}, r);
 }
 
 // The vertices of side A follow the moves of its ends, in proportion to the distance from them.
@@ -180,7 +249,8 @@ Snapped snap(const Intrinsic_triangulation& t, const std::vector<double>& length
 
   for (std::size_t s = 0; s < d.size(); ++s) {
     const Cut_disk::Side &a = disk.sides[s], &b = disk.sides[a.mate];
-    if (s > a.mate) continue;
+    if (disk.is_border(s)) snap_border_side(disk, s, k[s], z, point);
+    if (s >= a.mate) continue;
     snap_side(t, lengths, disk, s, z, point);
     const Grid_vector image_of_begin = point[disk.sides[disk.next_side(a.mate)].first];
     const Transition to_mate{k[s], image_of_begin - rotated(point[a.first], k[s])};
@@ -209,6 +279,7 @@ Quartic_differential on_grid(const Intrinsic_triangulation& t, const std::vector
   report.grid_exponent = grid_exponent;
   report.largest_move = 0;
   for (Halfedge h : t.halfedges()) {
+    if (t.is_border(h)) continue;
     q.corner[h] = snapped.point[disk.copy[h]];
     report.largest_move = std::max(report.largest_move, std::abs(to_complex(q.corner[h]) / unit - position[h]));
   }
@@ -268,8 +339,11 @@ Quartic_differential immersion_of_layout(const Intrinsic_triangulation& t, const
   CGAL_precondition(options.grid_exponent == 0 || (options.grid_exponent >= 20 && options.grid_exponent <= 50));
   CGAL_precondition(flat_lengths.size() == t.number_of_edges() && order.size() == t.number_of_vertices());
   report = {};
-  report.cut_edges = disk.boundary.size() / 2;
-  report.segments = disk.sides.size() / 2;
+  for (std::size_t s = 0; s < disk.sides.size(); ++s) {
+    if (s >= disk.sides[s].mate) continue;
+    report.cut_edges += disk.sides[s].size;
+    ++report.segments;
+  }
   normalise(plane.position);
   report.layout_gap = layout_gap(t, disk, plane.position);
   const std::vector<int> k = rotations(t, disk, plane.direction, report.rotation_error);

@@ -7,6 +7,7 @@
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/initial_divisor.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
 #include <CGAL/Quartic_differentials/internal/scientific.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
@@ -37,6 +38,21 @@ Divisor starting_divisor(const Riemann_surface& s, const std::optional<Divisor>&
     return choice->divisor;
   }
   return options.repair_degree ? with_repaired_degree(s.delaunay, s.weights, given) : given;
+}
+
+// The same two steps on a surface with boundary, whose corners are among the singularities.
+void legalize_along_boundary(const Abel_jacobi_map& map, const std::optional<Divisor>& singularities,
+                             const Quartic_differential_options& options, Visitor& visitor,
+                             Quartic_differential_result& r)
+{
+  const Riemann_surface& s = *r.surface;
+  if (!singularities)
+    throw Infeasible_divisor_error("singularities are not chosen yet on surfaces with boundary: give them");
+  r.initial = on_delaunay(s, *singularities);
+  r.legal = legalize_divisor(map, *r.initial, options.legalization, visitor);
+  const Area_distortion distortion(s.delaunay, s.laplacian, vertex_areas(s.delaunay));
+  r.distortion = distortion.energy(distortion.log_scale(r.legal->divisor));
+  r.solves = distortion.solves();
 }
 
 // Step 5: onto the Abel-Jacobi variety, and along it to where areas are distorted least.
@@ -135,8 +151,12 @@ void immerse_precisely(const Intrinsic_triangulation& input, int bits, const std
     const std::complex<double> move(precise.moved[2 * i], precise.moved[2 * i + 1]);
     if (move == 0.) continue;
     Surface_point& p = r.singularities[i].location;
-    const auto corner = input.unfolded(p.face);
-    p.barycentric = internal::barycentric(corner, internal::point_in_frame(corner, p.barycentric) + move);
+    if (r.singularities[i].on_boundary) {
+      p = internal::slide(input, p, move.real(), [](const Surface_point&, const Surface_point&) {});
+    } else {
+      const auto corner = input.unfolded(p.face);
+      p.barycentric = internal::barycentric(corner, internal::point_in_frame(corner, p.barycentric) + move);
+    }
     r.metric->moved_by[i] += std::abs(move);
   }
   set_positions(input, r.singularities, m.cones, r.refined_metric->refinement);
@@ -176,14 +196,18 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
   std::optional<Abel_jacobi_map> map;
   {
     const Timed_step step(visitor, "abel_jacobi");
-    if (options.route == Abel_jacobi_route::curvature) map.emplace(s.delaunay, s.homology.cochains, s.forms);
+    if (options.route == Abel_jacobi_route::curvature || input.has_boundary()) map.emplace(s.delaunay, s.homology.cochains, s.forms);
     else map.emplace(s.delaunay, s.forms, s.zeros);
   }
   {
     const Timed_step step(visitor, "legalization");
-    result.initial = starting_divisor(s, singularities, options, visitor, result.choice);
-    legalize(*map, s, options, visitor, result);
-    result.image = image_of(*map, s, *result.legal);
+    if (input.has_boundary()) {
+      legalize_along_boundary(*map, singularities, options, visitor, result);
+    } else {
+      result.initial = starting_divisor(s, singularities, options, visitor, result.choice);
+      legalize(*map, s, options, visitor, result);
+      result.image = image_of(*map, s, *result.legal);
+    }
   }
   result.metric = exact_cone_metric(s.delaunay, s.homology.cochains, result.legal->divisor, options.cone_metric, visitor,
                                     &s.laplacian);
@@ -205,7 +229,7 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
     result.refined = refined_surface(input, *result.refined_metric, result.metric->metric.u, *result.differential);
     require_valid(*result.refined);
   }
-  if (!result.singularities.empty()) {
+  if (!result.singularities.empty() || input.has_boundary()) {
     const Timed_step step(visitor, "t_mesh");
     result.t_mesh = t_mesh(result.traced(), visitor);
   }

@@ -203,6 +203,28 @@ bool lies_along(const Intrinsic_triangulation& c, Halfedge h, const Cell_corner&
   return next.crossing.is_none() ? next.c == c.next(h) : next.c == h;
 }
 
+using Inserted = std::pair<internal::Construction::Cone, internal::Cone_frame>;
+
+Inserted inserted_cone(const Singularity& s, std::size_t i, internal::Point_inserter& inserter, Integer_cochains& cochains)
+{
+  const Surface_point p = moved_inside(s.location, inside);
+  const auto [insertion, angle, end] = inserter.insert(p);
+  const Intrinsic_triangulation& t = inserter.triangulation();
+  cochains.after_insertion(t, insertion);
+  const auto& spoke = insertion.spoke;
+  return {{i, p, false, insertion.vertex, {t.edge(spoke[0]), t.edge(spoke[1]), t.edge(spoke[2])}, end},
+          {static_cast<int>(i), spoke[0], angle}};
+}
+
+Inserted inserted_corner(const Singularity& s, std::size_t i, internal::Point_inserter& inserter, Integer_cochains& cochains)
+{
+  const auto [split, end] = inserter.insert_on_boundary(s.location);
+  const Intrinsic_triangulation& t = inserter.triangulation();
+  cochains.after_boundary_split(t, split);
+  return {{i, s.location, true, split.vertex, {t.edge(split.first), t.edge(split.second), t.edge(split.spoke)}, end},
+          {static_cast<int>(i), split.second, 0.0}};
+}
+
 } // namespace
 
 Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, const Integer_cochains& cochains,
@@ -214,15 +236,14 @@ Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, co
   internal::Cone_frames frames;
   for (std::size_t i = 0; i < divisor.size(); ++i) {
     if (metric.cones[i].idx() < input.number_of_vertices()) continue;
-    const Surface_point p = moved_inside(divisor[i].location, inside);
-    const internal::Point_inserter::Inserted inserted = inserter.insert(p);
-    r.cochains.after_insertion(inserter.triangulation(), inserted.insertion);
-    r.construction.cones.push_back({i, p, inserted});
-    if (!divisor[i].pinned) frames.add({static_cast<int>(i), inserted.insertion.spoke[0], inserted.angle});
+    const auto [cone, frame] = divisor[i].on_boundary ? inserted_corner(divisor[i], i, inserter, r.cochains)
+                                                      : inserted_cone(divisor[i], i, inserter, r.cochains);
+    r.construction.cones.push_back(cone);
+    if (!divisor[i].pinned) frames.add(frame);
   }
   Intrinsic_triangulation a = inserter.triangulation();
   for (const auto& c : r.construction.cones)
-    if (input.is_embedded()) a.set_point(c.inserted.insertion.vertex, position_on_input(input, c.location));
+    if (input.is_embedded()) a.set_point(c.vertex, position_on_input(input, c.location));
   r.input_face = inserter.original_faces();
   r.triangulation = a;
   r.refinement = Common_refinement(a);

@@ -4,11 +4,11 @@
 
 #include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
-#include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
+#include <CGAL/Quartic_differentials/relative_homology_basis.h>
 #include <CGAL/Quartic_differentials/riemann_surface.h>
 
-#include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -24,18 +24,27 @@ void add_harmonic_forms(Riemann_surface& s)
   s.forms = harmonic_1_forms(s.delaunay, s.homology.cochains, s.weights, s.laplacian);
 }
 
+Homology_basis basis_along_boundary(const Intrinsic_triangulation& t)
+{
+  Relative_homology_basis basis = relative_homology_basis(t);
+  Homology_basis result;
+  const int n = basis.cochains.size();
+  result.loops = std::move(basis.paths);
+  result.combination = Eigen::MatrixXi::Identity(n, n);
+  result.cochains = std::move(basis.cochains);
+  return result;
+}
+
 } // namespace
 
 Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor, Homology_choice choice)
 {
-  if (const int b = input.number_of_boundary_curves(); b > 0)
-    throw Unusable_surface_error("surfaces with boundary are not supported yet: this one has " + std::to_string(b)
-                                 + (b == 1 ? " boundary curve" : " boundary curves"));
+  const bool is_closed = !input.has_boundary();
   Riemann_surface s;
   {
     const Timed_step step(visitor, "homology");
-    s.homology = homology_basis(input);
-    if (choice == Homology_choice::handle_tunnel) {
+    s.homology = is_closed ? homology_basis(input) : basis_along_boundary(input);
+    if (is_closed && choice == Homology_choice::handle_tunnel) {
       s.loops = handle_tunnel_loops(input, handle_tunnel_basis(input, s.homology));
       s.homology = s.loops->classes.basis;
     }
@@ -51,7 +60,7 @@ Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& v
     const Timed_step step(visitor, "holomorphic_forms");
     add_harmonic_forms(s);
   }
-  {
+  if (is_closed) {
     const Timed_step step(visitor, "period_matrix");
     s.periods = period_matrix(s.forms);
     if (input.genus() > 1)

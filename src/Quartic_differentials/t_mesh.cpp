@@ -21,6 +21,7 @@ using internal::Meeting;
 using internal::Trace;
 using internal::Traces;
 using internal::Visit;
+using internal::no_singularity;
 
 const std::size_t none = static_cast<std::size_t>(-1);
 
@@ -68,16 +69,18 @@ private:
     std::size_t trace = 0;
     for (Vertex v : m_q.singularities) {
       const Halfedge h = m_q.triangulation.halfedge_from(v);
-      m_result.nodes.push_back({T_mesh::Node_kind::singularity, v, m_q.order[v], m_q.triangulation.face(h),
-                                m_q.corner[h] + m_q.corner[h]});
+      const bool is_corner = m_q.triangulation.is_border(v);
+      m_result.nodes.push_back({is_corner ? T_mesh::Node_kind::corner : T_mesh::Node_kind::singularity, v, m_q.order[v],
+                                m_q.triangulation.face(h), m_q.corner[h] + m_q.corner[h]});
       m_first_trace.push_back(trace);
-      trace += m_q.order[v] + 4;
+      trace += m_q.order[v] + (is_corner ? 2 : 4);
     }
   }
 
   void collect_passages()
   {
-    for (std::size_t i = 0; i < m_traces.traces.size(); ++i) m_passages.push_back({i, m_traces.traces[i].stop});
+    for (std::size_t i = 0; i < m_traces.traces.size(); ++i)
+      if (!m_traces.traces[i].is_wall) m_passages.push_back({i, m_traces.traces[i].stop});
     for (const Meeting& m : m_traces.meetings) {
       m_passages.push_back({m.first, m.first_time});
       m_passages.push_back({m.second, m.second_time});
@@ -121,15 +124,21 @@ private:
     return std::lower_bound(m_passages.begin(), m_passages.end(), Passage{trace, time}) - m_passages.begin();
   }
 
-  // The passages of a trace, in their order, cut it into arcs.
+  // The passages of a trace, in their order, cut it into arcs. One that starts at no singularity starts at the first of
+  // them; walls go on to their corner, or once round to the first passage.
   void add_arcs()
   {
     std::size_t p = 0;
     for (std::size_t i = 0; i < m_traces.traces.size(); ++i) {
       const Trace& trace = m_traces.traces[i];
       m_first_arc.push_back(m_result.arcs.size());
-      Half_arc from{trace.singularity, static_cast<int>(i - m_first_trace[trace.singularity])};
-      std::int64_t begin = 0;
+      if (trace.singularity == no_singularity && (p == m_passages.size() || m_passages[p].trace != i))
+        throw Numerical_error("no trace comes to a boundary curve without corners");
+      const Passage first = trace.singularity == no_singularity ? m_passages[p++] : Passage{i, 0};
+      Half_arc from = trace.singularity == no_singularity
+        ? Half_arc{first.node, first.direction}
+        : Half_arc{trace.singularity, static_cast<int>(i - m_first_trace[trace.singularity])};
+      std::int64_t begin = first.time;
       std::size_t visit = 0;
       for (; p < m_passages.size() && m_passages[p].trace == i; ++p) {
         const Passage& end = m_passages[p];
@@ -137,12 +146,16 @@ private:
         from = {end.node, end.direction};
         begin = end.time;
       }
+      if (trace.is_closed())
+        add_arc(trace, visit, from, {first.node, first.direction ^ 2}, begin, first.time + trace.stop);
+      else if (trace.is_wall)
+        add_arc(trace, visit, from, {trace.end, m_result.nodes[trace.end].order + 2}, begin, trace.stop);
     }
   }
 
   void add_arc(const Trace& trace, std::size_t& visit, Half_arc from, Half_arc to, std::int64_t begin, std::int64_t end)
   {
-    T_mesh::Arc arc{from.node, to.node, end - begin, {}};
+    T_mesh::Arc arc{from.node, to.node, end - begin, {}, trace.is_wall};
     // the arc's part in a visit is not a single point if entry < end and the next entry > begin
     while (visit + 1 < trace.visits.size() && leaves_by(trace, visit, begin)) ++visit;
     for (std::size_t k = visit; k < trace.visits.size() && trace.visits[k].entry < end; ++k) {
@@ -192,13 +205,16 @@ private:
     bool        after_corner;
   };
 
+  static int number_of_arms(const T_mesh::Node& singularity)
+  { return singularity.order + (singularity.kind == T_mesh::Node_kind::corner ? 3 : 4); }
+
   // The next directed arc of the patch on the left: the first one clockwise from the way back.
   Step next_on_patch(std::size_t half_arc) const
   {
     const auto [node, back] = m_half_arcs[half_arc ^ 1];
     const std::size_t singularities = m_q.singularities.size();
     if (node < singularities) {
-      const int arms = m_result.nodes[node].order + 4;
+      const int arms = number_of_arms(m_result.nodes[node]);
       return {2 * m_first_arc[m_first_trace[node] + (back + arms - 1) % arms], true};
     }
     for (int k = 1; k <= 2; ++k) {
@@ -212,7 +228,7 @@ private:
   {
     std::vector<char> used(m_half_arcs.size(), false);
     for (std::size_t first = 0; first < m_half_arcs.size(); ++first) {
-      if (used[first]) continue;
+      if (used[first] || (first % 2 == 1 && m_result.arcs[first / 2].on_boundary)) continue;
       std::vector<Step> boundary;
       Step step{first, false};
       do {
@@ -258,7 +274,7 @@ private:
 
 T_mesh t_mesh(const Quartic_differential& q, Visitor& visitor)
 {
-  if (q.singularities.empty())
+  if (q.singularities.empty() && !q.triangulation.has_boundary())
     throw Infeasible_divisor_error("there is no singularity from which a T-mesh could start");
   const Traces traces = internal::trace_motorcycles(q, visitor);
   T_mesh result = T_mesh_builder(q, traces).build();

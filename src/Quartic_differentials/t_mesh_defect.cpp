@@ -6,6 +6,7 @@
 
 #include "internal/grid_lines.h"
 
+#include <cstdlib>
 #include <string>
 
 namespace CGAL {
@@ -51,10 +52,26 @@ std::string defect_of_nodes(const T_mesh& t, const Quartic_differential& q)
     if (node.vertex.idx() >= listed.size() || !listed[node.vertex])
       return node_name(n) + " is at no singularity, or at one that another node has";
     if (node.order != q.order[node.vertex]) return node_name(n) + " does not have the order of its singularity";
+    if ((node.kind == T_mesh::Node_kind::corner) != q.triangulation.is_border(node.vertex))
+      return node_name(n) + " is a corner inside the surface, or no corner on the boundary";
     listed[node.vertex] = false;
     ++singularities;
   }
   return singularities == q.singularities.size() ? "" : "there is a singularity without a node";
+}
+
+// whether a segment runs along a boundary edge, with the surface on its left
+bool is_on_boundary(const Doubled_charts& charts, const Chart_segment& s)
+{
+  const Intrinsic_triangulation& t = charts.triangulation();
+  for (Halfedge h : t.halfedges(s.face)) {
+    if (!t.is_border(t.opposite(h))) continue;
+    const Grid_vector begin = charts.corner(h), end = charts.corner(t.next(h));
+    if (across(s.direction, s.from - begin) == 0 && across(s.direction, end - begin) == 0
+        && along(s.direction, s.from - begin) >= 0 && along(s.direction, end - s.to) >= 0)
+      return true;
+  }
+  return false;
 }
 
 std::string defect_of_path(const T_mesh& t, const Doubled_charts& charts, const T_mesh::Arc& arc)
@@ -67,6 +84,7 @@ std::string defect_of_path(const T_mesh& t, const Doubled_charts& charts, const 
     const std::int64_t run = along(s.direction, s.to - s.from);
     if (run < 0 || across(s.direction, s.to - s.from) != 0) return "does not run along its direction";
     length += run;
+    if (arc.on_boundary && !is_on_boundary(charts, s)) return "leaves the boundary";
     if (k > 0 && !same_point(charts, arc.path[k - 1].face, arc.path[k - 1].to, s.face, s.from)) return "has a gap";
   }
   if (length != arc.length) return "does not have the length of its path";
@@ -120,7 +138,8 @@ std::string defect_of_patches(const T_mesh& t)
       for (const T_mesh::Side_piece& piece : side) ++used[piece.arc][piece.forward];
   }
   for (std::size_t a = 0; a < used.size(); ++a)
-    if (used[a][0] != 1 || used[a][1] != 1) return arc_name(a) + " is not used once in each direction";
+    if (used[a][0] != (t.arcs[a].on_boundary ? 0 : 1) || used[a][1] != 1)
+      return arc_name(a) + " is not used once in each direction, or once forward on the boundary";
   return {};
 }
 
@@ -129,6 +148,7 @@ std::array<int, 2> expected_at(const T_mesh::Node& node)
 {
   switch (node.kind) {
     case T_mesh::Node_kind::singularity: return {node.order + 4, node.order + 4};
+    case T_mesh::Node_kind::corner:      return {node.order + 3, node.order + 2};
     case T_mesh::Node_kind::meeting:     return {2, 0};
     case T_mesh::Node_kind::t_junction:  return {3, 2};
     default:                             return {4, 4};
@@ -154,10 +174,26 @@ std::string defect_at_nodes(const T_mesh& t)
   return {};
 }
 
+// the length of the whole boundary, doubled. \pre boundary edges are parallel to axes
+std::int64_t boundary_length(const Quartic_differential& q)
+{
+  const Doubled_charts charts(q);
+  std::int64_t length = 0;
+  for (const std::vector<Halfedge>& curve : q.triangulation.boundary_curves())
+    for (Halfedge h : curve) {
+      const Grid_vector edge = charts.corner(q.triangulation.next(h)) - charts.corner(h);
+      length += std::abs(edge.x) + std::abs(edge.y);
+    }
+  return length;
+}
+
 std::string defect_of_sums(const T_mesh& t, const Quartic_differential& q)
 {
   const long chi = t.euler_characteristic();
-  if (chi != 2 - 2 * q.triangulation.genus()) return "the Euler characteristic is " + std::to_string(chi);
+  if (chi != 2 - 2 * q.triangulation.genus() - q.triangulation.number_of_boundary_curves()) return "the Euler characteristic is " + std::to_string(chi);
+  std::int64_t on_boundary = 0;
+  for (const T_mesh::Arc& arc : t.arcs) on_boundary += arc.on_boundary ? arc.length : 0;
+  if (on_boundary != boundary_length(q)) return "the arcs on the boundary do not have its length";
   __int128 area = 0;
   for (const T_mesh::Patch& patch : t.patches) area += static_cast<__int128>(patch.width) * patch.height;
   // lengths are doubled, areas fourfold; the triangles' sum is that of twice their areas

@@ -58,14 +58,16 @@ struct Transition
 };
 
 /// A meromorphic quartic differential (dz)^4 on a flat triangulated surface: every face is a chart, with its corners
-/// on a dyadic grid, and charts change across every edge by exactly a rotation by k*90 degrees and a translation.
-/// (METHOD, step 7; paper, section 4.7)
+/// on a dyadic grid, and charts change across every edge by exactly a rotation by k*90 degrees and a translation. Boundary
+/// edges are parallel to an axis. (METHOD, step 7; paper, section 4.7)
 struct Quartic_differential
 {
   Intrinsic_triangulation  triangulation;     ///< the flat triangulation: the input's vertices, then the inserted cones
   std::vector<Grid_vector> corner;            ///< by halfedge h: source(h) in the chart of face(h), in units of 2^-grid_exponent
   std::vector<Transition>  transition;        ///< by halfedge h: from the chart of face(h) to the chart of face(opposite(h))
-  std::vector<int>         order;             ///< by vertex: order of the zero, minus that of the pole, 0 where regular
+                                              ///< (both of no meaning at border halfedges, the transition at boundary edges)
+  std::vector<int>         order;             ///< by vertex: order of the zero, minus that of the pole, 0 where regular;
+                                              ///< m - 2 at a corner of the boundary of angle m*90 degrees
   std::vector<Vertex>      singularities;     ///< vertices that belong to the divisor
   int                      grid_exponent = 0; ///< grid units are 2^-grid_exponent
   double                   surface_units_per_unit = 0;  ///< scale: flat area times its square is the input's area
@@ -81,8 +83,9 @@ struct Quartic_differential
 /// checks every invariant of a quartic differential in exact arithmetic and returns the first violation as a sentence,
 /// or the empty string: every triangle is positively oriented; the two charts at every edge differ exactly by its
 /// transition; once counterclockwise round a vertex the transitions compose to the rotation by -order*90 degrees about
-/// it, and the triangles fill an angle of exactly (order + 4)*90 degrees; the singularities hold all orders that are
-/// not 0, and their degree is 8g - 8.
+/// it, and the triangles fill an angle of exactly (order + 4)*90 degrees; boundary edges are parallel to an axis, and the
+/// angle at a vertex between them is exactly (order + 2)*90 degrees; the singularities hold all orders that are not 0, and
+/// their degree is 8g - 8 + 4b.
 /// Complexity: linear.
 std::string defect(const Quartic_differential& q);
 

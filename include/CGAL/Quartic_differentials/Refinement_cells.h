@@ -10,6 +10,9 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -56,7 +59,8 @@ public:
   /// maps a point of C to the same point of A.
   ///
   /// Every point of a closed face is mapped, to nonnegative barycentric coordinates: the cell is the one with the
-  /// largest distance from its sides, and the map a similarity through its two farthest corners.
+  /// largest distance from its sides, and the map a similarity through its two farthest corners. A point on the boundary,
+  /// which is one with a coordinate that is exactly 0, stays on its boundary edge.
   /// Complexity: linear in the corners in the point's face.
   Surface_point to_input(const Surface_point& p) const;
   /// maps a point of A to the same point of C, the inverse of `to_input` up to rounding.
@@ -72,6 +76,17 @@ private:
     std::vector<std::size_t>                         cells_by_face;
   };
 
+  // A side of a face: where a boundary edge lies.
+  struct Side
+  {
+    Face face;
+    int  number;   // of the corner where it begins
+    friend bool operator<(const Side& x, const Side& y)
+    { return std::make_pair(x.face, x.number) < std::make_pair(y.face, y.number); }
+  };
+  using Sides = std::map<Side, Side>;
+
+  static std::optional<Surface_point> mapped_along_boundary(const Surface_point& p, const Sides& other_side);
   template <class Face_of> void sort_into_faces(Layout& layout, Face_of face_of) const;
   std::vector<std::complex<double>> polygon(const Layout& layout, const Refinement_cell& cell) const;
   double depth(const Layout& layout, const Refinement_cell& cell, std::complex<double> z) const;
@@ -82,6 +97,7 @@ private:
   std::vector<Refinement_cell> m_cells;
   std::vector<Cell_corner>     m_corners;
   Layout                       m_c, m_a;
+  Sides                        m_c_side, m_a_side;   // of boundary edges: by the side of the A face, and of the C face
 };
 
 } } // namespace CGAL::Quartic_differentials

@@ -28,12 +28,14 @@ struct Immersion_options
 struct Immersion_report
 {
   int         grid_exponent     = 0;
-  std::size_t cut_edges         = 0;
-  std::size_t segments          = 0;   ///< of the cut graph
+  std::size_t cut_edges         = 0;   ///< of the cut graph, without the boundary
+  std::size_t segments          = 0;   ///< of the cut graph, without the boundary
   std::size_t flipped_triangles = 0;   ///< flipped or degenerate after rounding to the grid
-  double      rotation_error    = 0;   ///< [radians] farthest that the rotation across a cut edge is from k*90 degrees
+  double      rotation_error    = 0;   ///< [radians] farthest that the rotation across a cut edge, or the direction of a
+                                       ///< boundary edge, is from k*90 degrees
   double      layout_gap        = 0;   ///< farthest that the layout's copies of a corner are apart; fraction of the size
-  Grid_vector closure_residual;        ///< sum of (1 - i^k) d over the segments before it was spread over them
+  Grid_vector closure_residual;        ///< sum of (1 - i^k) d over the segments, and of the vectors along the boundary,
+                                       ///< before it was spread over them
   double      largest_move      = 0;   ///< farthest that a corner moved from the layout; fraction of the size
   double      min_altitude      = 0;   ///< smallest altitude of a flat triangle, in grid units; not positive if flipped
 };
@@ -56,17 +58,19 @@ Quartic_differential immersion_of_layout(const Intrinsic_triangulation& t, const
 /// which everything is exact: charts change across every edge by a rotation by k*90 degrees and a translation, and
 /// round every vertex the changes compose to the rotation of its cone about that vertex.
 ///
-/// The exactness of the transitions is guaranteed for every input that is accepted. Not guaranteed: that the smallest
+/// Boundary edges become parallel to the axes. The exactness of the transitions and of these directions is guaranteed for
+/// every input that is accepted. Not guaranteed: that the smallest
 /// triangles keep their orientation when they are moved to the grid; `report.flipped_triangles` counts those that did
 /// not, and `require_resolved_triangles()` refuses them.
 ///
 /// \tparam FT the number type of the layout, with sqrt and conversions from and to `double`
-/// \param flat_lengths by edge of t: a flat metric with cones at the singularities and holonomy in multiples of 90 degrees
+/// \param flat_lengths by edge of t: a flat metric with cones at the singularities, holonomy in multiples of 90 degrees, and
+///        a straight boundary but for corners of multiples of 90 degrees
 /// \param singularities the vertices of the divisor
-/// \param order by vertex; the cone angle is (order + 4)*90 degrees
+/// \param order by vertex; the cone angle is (order + 4)*90 degrees, the angle of a corner (order + 2)*90 degrees
 /// \param surface_area of the input, to which `surface_units_per_unit` refers
 /// \param report is filled even if the function throws
-/// \pre t is connected, and the orders are at least -3, vanish outside the singularities and sum to 8g - 8
+/// \pre t is connected, and the orders are at least -3, vanish outside the singularities and sum to 8g - 8 + 4b
 /// \throws Numerical_error if a rotation across the cut is not a multiple of 90 degrees to 1e-6 radians, or the exact
 ///         cone at a vertex is not the one of its order
 /// Complexity: O(n log n). Source: METHOD, step 7; paper, section 4.7.

@@ -60,7 +60,7 @@ struct Quartic_differential_result
   std::optional<Optimal_divisor>      optimal;        ///< how `legal` was optimised, if it was
   double                              distortion = 0; ///< E of the legal divisor, linearised
   std::size_t                         solves = 0;     ///< right-hand sides solved to optimise it on the whole surface
-  std::optional<Abel_jacobi_image>    image;          ///< step 4, of the legal divisor
+  std::optional<Abel_jacobi_image>    image;          ///< step 4, of the legal divisor; on closed surfaces
   std::optional<Exact_cone_metric>    metric;         ///< step 6
   Divisor                             singularities;  ///< the final divisor, on the faces of the input
   std::optional<Refined_cone_metric>  refined_metric; ///< the flat triangulation and the input
@@ -81,7 +81,8 @@ struct Quartic_differential_result
 ///
 /// \param singularities the divisor to start from, on the faces of `input`; none: they are chosen
 /// \param result is filled step by step, so that it holds what was computed even if a later step throws
-/// \pre `input` is a closed connected surface without degenerate triangles
+/// \pre `input` is a connected surface without degenerate triangles; with boundary, `split_obtuse_at_boundary()` leaves
+///      nothing to do on it
 /// \throws Infeasible_divisor_error, Numerical_error, Cancelled_error: see the steps
 /// \throws Unusable_surface_error if quads are asked for and `input` is not embedded
 void quartic_differential(const Intrinsic_triangulation& input, const std::optional<Divisor>& singularities,

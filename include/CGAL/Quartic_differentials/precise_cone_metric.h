@@ -33,7 +33,8 @@ struct Precise_cone_metric
   std::vector<FT>     curvature_error;        ///< by vertex: K - target [radians]
   std::vector<FT>     turning_error;          ///< by basis loop: T minus the nearest multiple of pi/2 [radians]
   FT                  max_transition_error;   ///< over all edges of a frame propagated over all faces [radians]
-  Eigen::VectorXd     moved;                  ///< x, y by singularity, in the frames of their faces of the input
+  Eigen::VectorXd     moved;                  ///< x, y by singularity, in the frames of their faces of the input; of a
+                                              ///< corner the distance along the boundary, and 0
   std::vector<double> history;                ///< max error of curvature and turning, before and after every step
   bool                reached = false;        ///< all errors are within the tolerance
 };
@@ -79,10 +80,23 @@ public:
     const std::array<Point, 3>& corner = m_corner.at(m_cones[i].location.face);
     const Point z{m_place[i][0] + displacement[0], m_place[i][1] + displacement[1]};
     for (int k = 0; k < 3; ++k) {
+      if (m_cones[i].on_boundary && k == side_of(m_cones[i])) continue;   // there it stays
       const Point &p = corner[k], &q = corner[(k + 1) % 3];
       if (!((q[0] - p[0]) * (z[1] - p[1]) > (q[1] - p[1]) * (z[0] - p[0]))) return false;
     }
     return true;
+  }
+
+  /// the displacement in the frame of the face of a cone that moves by (x, y) there; of a corner by x along the boundary
+  Point in_face(std::size_t i, const Point& d) const
+  {
+    using std::sqrt;
+    if (!m_cones[i].on_boundary) return d;
+    const std::array<Point, 3>& corner = m_corner.at(m_cones[i].location.face);
+    const int k = side_of(m_cones[i]);
+    const FT x = corner[(k + 1) % 3][0] - corner[k][0], y = corner[(k + 1) % 3][1] - corner[k][1];
+    const FT length = sqrt(FT(x * x + y * y));
+    return {FT(d[0] * x / length), FT(d[0] * y / length)};
   }
 
   void move(std::size_t i, const Point& displacement)
@@ -96,14 +110,22 @@ public:
     using std::sqrt;
     for (std::size_t i = 0; i < m_cones.size(); ++i)
       for (int k = 0; k < 3; ++k) {
-        const int name = m_cones[i].inserted.end[k];
+        const int name = m_cones[i].end[k];
         const Point& end = name < 3 ? m_corner.at(m_cones[i].location.face)[name] : m_place[name - 3];
         const FT x = end[0] - m_place[i][0], y = end[1] - m_place[i][1];
-        m_length[m_cones[i].inserted.insertion.spoke[k].idx() / 2] = sqrt(FT(x * x + y * y));
+        m_length[m_cones[i].spoke[k]] = sqrt(FT(x * x + y * y));
       }
   }
 
 private:
+  // the side of its face on which a corner lies
+  static int side_of(const Construction::Cone& c)
+  {
+    for (int k = 0; k < 3; ++k)
+      if (c.location.barycentric[(k + 2) % 3] == 0) return k;
+    return 0;
+  }
+
   static FT exact_length(const Intrinsic_triangulation& t, Halfedge h)
   {
     using std::sqrt;
@@ -178,7 +200,7 @@ private:
     Eigen::VectorXd move;
     const auto displacement = [&](std::size_t i) {
       const std::size_t s = cones[i].singularity;
-      return std::array<FT, 2>{FT(move[2 * s]) * m_error, FT(move[2 * s + 1]) * m_error};
+      return m_places.in_face(i, {FT(FT(move[2 * s]) * m_error), FT(FT(move[2 * s + 1]) * m_error)});
     };
     for (bool inside = false; !inside;) {
       move = m_linear.cones(curvature_error, turning_error);

@@ -29,7 +29,8 @@ enum class Homology_choice
   handle_tunnel   ///< one of short handle and tunnel loops, which people recognise
 };
 
-/// Steps 1 to 3: a triangulated surface as a Riemann surface.
+/// Steps 1 to 3: a triangulated surface as a Riemann surface. With boundary there are neither periods nor zeros, and the
+/// homology basis is that of `relative_homology_basis()`, which has no intersection numbers.
 struct Riemann_surface
 {
   Intrinsic_triangulation         delaunay;     ///< the intrinsic Delaunay triangulation of the input's surface
@@ -45,8 +46,7 @@ struct Riemann_surface
 };
 
 /// computes steps 1 to 3 of the pipeline.
-/// \pre `input` is connected
-/// \throws Unusable_surface_error if `input` has a boundary
+/// \pre `input` is connected; with boundary, `split_obtuse_at_boundary()` leaves nothing to do on it
 /// Complexity: one sparse factorisation, 2g back-substitutions, O(n log n) for the rest; and that of
 /// `handle_tunnel_basis()` and `handle_tunnel_loops()` if their basis is chosen.
 Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& visitor,

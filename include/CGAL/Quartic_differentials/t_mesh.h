@@ -32,25 +32,28 @@ struct Chart_segment
 /// 2^-grid_exponent. (METHOD, step 8)
 struct T_mesh
 {
-  enum class Node_kind { singularity, meeting, t_junction, crossing };
+  /// `corner` is a singularity on the boundary
+  enum class Node_kind { singularity, corner, meeting, t_junction, crossing };
 
   /// A point at which arcs end.
   struct Node
   {
     Node_kind   kind;
-    Vertex      vertex;   ///< the singularity's vertex, otherwise the null vertex
-    int         order;    ///< the singularity's order, otherwise 0
+    Vertex      vertex;   ///< the vertex of the singularity or corner, otherwise the null vertex
+    int         order;    ///< the order there, otherwise 0
     Face        face;     ///< a face that holds the node
     Grid_vector point;    ///< its place in the chart of that face
 
-    bool is_singularity() const { return kind == Node_kind::singularity; }
+    /// whether it is a singularity of the differential, inside or on the boundary
+    bool is_singularity() const { return kind == Node_kind::singularity || kind == Node_kind::corner; }
   };
-  /// A piece of a trace between two nodes.
+  /// A piece of a trace, or of the boundary, between two nodes.
   struct Arc
   {
     std::size_t                from, to;   ///< nodes
     std::int64_t               length;
     std::vector<Chart_segment> path;       ///< from `from` to `to`, without gaps
+    bool                       on_boundary = false;   ///< it has the surface on its left only
   };
   /// An arc of a side of a patch, and its direction there.
   struct Side_piece
@@ -81,7 +84,7 @@ struct T_mesh
   std::vector<Arc>   arcs;
   std::vector<Patch> patches;
 
-  /// V - E + F = 2 - 2g
+  /// V - E + F = 2 - 2g - b
   long euler_characteristic() const
   {
     return static_cast<long>(nodes.size()) - static_cast<long>(arcs.size()) + static_cast<long>(patches.size());
@@ -90,11 +93,12 @@ struct T_mesh
 
 /// traces the critical trajectories of a quartic differential and returns the rectangles they cut.
 ///
-/// Every trace runs along a grid axis with unit speed and ends where it meets one that was there before it;
-/// all decisions are exact integer arithmetic.
+/// Every trace runs along a grid axis with unit speed and ends where it meets one that was there before it, or the
+/// boundary, which is cut into arcs where traces end and at corners; all decisions are exact integer arithmetic. An annulus
+/// without any singularity is cut across from a vertex of its boundary.
 ///
 /// \pre `defect(q)` is empty
-/// \throws Infeasible_divisor_error if there is no singularity to start from
+/// \throws Infeasible_divisor_error if there is no singularity to start from, and no boundary
 /// \throws Numerical_error if a coordinate leaves the range in which 64-bit integers are exact (a trajectory that winds
 ///         for too long), or an invariant of the result fails
 /// \throws Cancelled_error
@@ -104,8 +108,9 @@ T_mesh t_mesh(const Quartic_differential& q, Visitor& visitor);
 
 /// checks every invariant of a T-mesh of `q` exactly and returns the first violation as a sentence, or the empty string:
 /// arcs run without gaps and with their lengths through the charts from node to node; patches are closed rectangles
-/// with opposite sides equal; every arc is used once in each direction; the arms and patch corners at every node are
-/// those of its kind, order + 4 at a singularity; V - E + F = 2 - 2g; the areas of the patches sum to that of `q`.
+/// with opposite sides equal; every arc is used once in each direction, on the boundary once forward; the arms and patch
+/// corners at every node are those of its kind, order + 4 at a singularity, order + 3 and order + 2 at a corner;
+/// V - E + F = 2 - 2g - b; the areas of the patches sum to that of `q`.
 /// Complexity: linear.
 std::string defect(const T_mesh& t, const Quartic_differential& q);
 

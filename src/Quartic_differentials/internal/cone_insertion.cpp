@@ -127,7 +127,7 @@ Point_inserter::Inserted Point_inserter::insert(const Surface_point& p)
   return {insertion, std::arg(whole.corner[0] - z), whole.name};
 }
 
-Intrinsic_triangulation::Boundary_split Point_inserter::insert_on_boundary(const Surface_point& p)
+Point_inserter::Inserted_on_boundary Point_inserter::insert_on_boundary(const Surface_point& p)
 {
   const auto frame = m_t.unfolded(p.face);
   std::vector<Face_piece>& pieces = this->pieces(p.face);
@@ -144,7 +144,7 @@ Intrinsic_triangulation::Boundary_split Point_inserter::insert_on_boundary(const
   pieces[k] = piece_with(m_split, split.first, {whole.corner[a], z, whole.corner[c]}, {whole.name[a], name, whole.name[c]});
   pieces.push_back(piece_with(m_split, split.second, {z, whole.corner[b], whole.corner[c]},
                               {name, whole.name[b], whole.name[c]}));
-  return split;
+  return {split, {whole.name[a], whole.name[b], whole.name[c]}};
 }
 
 std::vector<Face_piece>& Point_inserter::pieces(Face f)
@@ -171,7 +171,7 @@ Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_coch
       continue;
     }
     if (divisor[i].on_boundary) {
-      const auto split = inserter.insert_on_boundary(p);
+      const auto split = inserter.insert_on_boundary(p).split;
       result.cochains.after_boundary_split(inserter.triangulation(), split);
       result.cones.push_back(split.vertex);
       result.frozen.push_back(divisor[i].pinned);

@@ -17,7 +17,7 @@ namespace internal {
 
 namespace {
 
-// the primal tree and the 2g edges in neither tree: what is left of the surface is a disk
+// the primal tree, the edges in neither tree, and the boundary: what is left of the surface is a disk
 std::vector<char> edges_outside_cotree(const Intrinsic_triangulation& t, const std::vector<double>& lengths, Vertex root)
 {
   const Tree_cotree trees = tree_cotree(t, lengths, root);
@@ -25,6 +25,8 @@ std::vector<char> edges_outside_cotree(const Intrinsic_triangulation& t, const s
   for (Halfedge h : trees.vertex_parent)
     if (h != Mesh::null_halfedge()) cut[t.edge(h)] = true;
   for (Edge e : trees.generators) cut[e] = true;
+  for (Edge e : t.edges())
+    if (t.is_border(e)) cut[e] = true;
   return cut;
 }
 
@@ -65,13 +67,13 @@ Halfedge next_on_boundary(const Intrinsic_triangulation& t, const std::vector<ch
 }
 
 // A node always exists. Otherwise every vertex of the pruned graph would have degree 2, it would be a circle or empty,
-// and its Euler characteristic not 1 - 2g, unless the genus is 0 and there is no cone.
+// and its Euler characteristic not 1 - 2g - b, unless the surface is a sphere or a disk without cones.
 std::vector<Halfedge> walk_round(const Intrinsic_triangulation& t, const std::vector<char>& cut,
                                  const std::function<bool(Vertex)>& is_node)
 {
   std::vector<Halfedge> walk;
   for (Halfedge h : t.halfedges()) {
-    if (!cut[t.edge(h)] || !is_node(t.source(h))) continue;
+    if (t.is_border(h) || !cut[t.edge(h)] || !is_node(t.source(h))) continue;
     Halfedge g = h;
     do {
       walk.push_back(g);
@@ -79,7 +81,9 @@ std::vector<Halfedge> walk_round(const Intrinsic_triangulation& t, const std::ve
     } while (g != h);
     break;
   }
-  CGAL_postcondition(walk.size() == 2 * static_cast<std::size_t>(std::count(cut.begin(), cut.end(), true)));
+  CGAL_postcondition_code(const auto is_open = [&](Halfedge h) { return !t.is_border(h) && cut[t.edge(h)]; });
+  CGAL_postcondition(static_cast<std::ptrdiff_t>(walk.size())
+                     == std::count_if(t.halfedges().begin(), t.halfedges().end(), is_open));
   return walk;
 }
 
@@ -91,7 +95,10 @@ void find_sides(const Intrinsic_triangulation& t, const std::function<bool(Verte
     ++disk.sides.back().size;
     side[disk.boundary[i]] = disk.sides.size() - 1;
   }
-  for (Cut_disk::Side& s : disk.sides) s.mate = side[t.opposite(disk.boundary[s.first])];
+  for (Cut_disk::Side& s : disk.sides) {
+    const Halfedge h = disk.boundary[s.first], o = t.opposite(h);
+    s.mate = side[t.is_border(o) ? h : o];
+  }
 }
 
 void number_copies(const Intrinsic_triangulation& t, Cut_disk& disk)
@@ -106,7 +113,7 @@ void number_copies(const Intrinsic_triangulation& t, Cut_disk& disk)
   };
   for (Halfedge h : disk.boundary) number_fan(h, disk.number_of_copies++);
   for (Halfedge h : t.halfedges())
-    if (disk.copy[h] == none) number_fan(h, disk.number_of_copies++);
+    if (!t.is_border(h) && disk.copy[h] == none) number_fan(h, disk.number_of_copies++);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <CGAL/Quartic_differentials/exceptions.h>
 
+#include <algorithm>
 #include <limits>
 #include <queue>
 #include <string>
@@ -55,6 +56,14 @@ struct Line
   int         next;
 };
 
+// Where a motorcycle starts: in the corner at source(halfedge), in the chart of its face.
+struct Start
+{
+  std::size_t trace;
+  Halfedge    halfedge;
+  int         direction;
+};
+
 // A trace that came to a regular vertex: a singly linked list for every vertex.
 struct Passage
 {
@@ -69,16 +78,20 @@ class Tracer
 public:
   Tracer(const Quartic_differential& q, Visitor& visitor)
     : m_q(q), m_mesh(q.triangulation), m_charts(q), m_visitor(visitor),
-      m_singular(m_mesh.number_of_vertices(), false), m_first_line(2 * m_mesh.number_of_faces(), -1),
+      m_singularity(m_mesh.number_of_vertices(), no_singularity), m_first_line(2 * m_mesh.number_of_faces(), -1),
       m_first_passage(m_mesh.number_of_vertices(), -1)
   {
-    for (Vertex v : q.singularities) m_singular[v] = true;
+    for (std::size_t s = 0; s < q.singularities.size(); ++s) m_singularity[q.singularities[s]] = s;
   }
 
   Traces run()
   {
     check_coordinates();
     for (std::size_t s = 0; s < m_q.singularities.size(); ++s) start_from(s);
+    add_closed_walls();
+    if (m_q.singularities.empty()) start_across();
+    for (const Start& s : m_starts)   // all walls are there now
+      enter_at_corner(s.trace, s.halfedge, ray_through(m_charts.corner(s.halfedge), s.direction, 0), 0);
     for (std::size_t n = 0; !m_events.empty(); ++n) {
       if (n % 4096 == 0 && !m_visitor.go_further()) throw Cancelled_error("the T-mesh was cancelled");
       const Event e = m_events.top();
@@ -89,6 +102,8 @@ public:
         default:                  stop_at_track(e);
       }
     }
+    for (std::size_t i = 0; i < m_result.traces.size(); ++i)
+      if (running(i)) throw Numerical_error(name(i) + " did not end");
     return std::move(m_result);
   }
 
@@ -100,30 +115,90 @@ private:
         throw Numerical_error("a coordinate of the quartic differential is beyond 2^59");
   }
 
-  // Start: one trace for every axis direction in the corners round the singularity.
+  // Start: one trace for every axis direction in the corners round the singularity; along the boundary it is a wall.
 
   void start_from(std::size_t s)
   {
     const Vertex v = m_q.singularities[s];
     const Halfedge first = m_mesh.halfedge_from(v);
     const std::size_t before = m_result.traces.size();
+    const int quarters = m_q.order[v] + (m_mesh.is_border(v) ? 2 : 4);
     Halfedge h = first;
     do {
       int d = 0;   // the rightmost direction in this corner
       while (d < 4 && !(m_charts.corner_holds(h, d) && !m_charts.corner_holds(h, d - 1))) ++d;
-      for (; d < 8 && m_charts.corner_holds(h, d); ++d) start(s, h, d & 3);
+      for (; d < 8 && m_charts.corner_holds(h, d); ++d) {
+        if (m_mesh.is_border(v) && m_result.traces.size() == before) add_wall(s, first);
+        else start(s, h, d & 3);
+      }
       h = m_mesh.next_around_source(h);
-    } while (h != first);
-    if (m_result.traces.size() - before != static_cast<std::size_t>(m_q.order[v] + 4))
-      throw Numerical_error("the cone angle at vertex " + std::to_string(v.idx()) + " does not have order + 4 quarters");
+    } while (h != first && !m_mesh.is_border(h));
+    if (m_result.traces.size() - before != static_cast<std::size_t>(quarters))
+      throw Numerical_error("the angle at the singularity at vertex " + std::to_string(v.idx()) + " is not "
+                            + std::to_string(quarters) + "*90 degrees");
   }
 
-  void start(std::size_t s, Halfedge h, int d)
+  std::size_t add_trace(const Trace& trace)
   {
-    m_result.traces.push_back({s, {}, never});
+    m_result.traces.push_back(trace);
     m_heading.emplace_back();
     m_stopped_in_tie.push_back(false);
-    enter_at_corner(m_result.traces.size() - 1, h, ray_through(m_charts.corner(h), d, 0), 0);
+    return m_result.traces.size() - 1;
+  }
+
+  void start(std::size_t s, Halfedge h, int d) { m_starts.push_back({add_trace({s, {}, never}), h, d}); }
+
+  // Walls: the boundary edges from `first` on, up to the next corner or once round. Whoever comes there stops.
+
+  void add_wall(std::size_t s, Halfedge first)
+  {
+    const std::size_t i = add_trace({s, {}, 0, true});
+    std::int64_t time = 0;
+    Halfedge h = first;
+    do {
+      const Grid_vector begin = m_charts.corner(h), edge = m_charts.corner(m_mesh.next(h)) - begin;
+      const int d = edge.y == 0 ? (edge.x > 0 ? 0 : 2) : (edge.y > 0 ? 1 : 3);
+      const Ray ray = ray_through(begin, d, time);
+      m_result.traces[i].visits.push_back({m_mesh.face(h), ray, time, false});
+      add_line(i, m_mesh.face(h), ray);
+      if (m_singularity[m_mesh.source(h)] == no_singularity) add_passage(i, m_mesh.source(h), d, time);
+      time += along(d, edge);
+      if (time > largest) throw Numerical_error("a boundary curve is longer than 2^60 grid units");
+      h = m_mesh.next_on_boundary(h);
+      m_result.traces[i].end = m_singularity[m_mesh.source(h)];
+    } while (h != first && m_result.traces[i].end == no_singularity);
+    m_result.traces[i].stop = time;
+  }
+
+  void add_closed_walls()
+  {
+    for (const std::vector<Halfedge>& curve : m_mesh.boundary_curves()) {
+      const auto is_corner = [&](Halfedge h) { return m_singularity[m_mesh.source(h)] != no_singularity; };
+      if (std::any_of(curve.begin(), curve.end(), is_corner)) continue;
+      add_wall(no_singularity, curve.front());
+      Trace& wall = m_result.traces.back();
+      for (std::size_t k = 0; k < curve.size(); ++k) {   // the second round
+        Visit visit = wall.visits[k];
+        visit.entry += wall.stop;
+        visit.ray.clock += wall.stop;
+        wall.visits.push_back(visit);
+      }
+    }
+  }
+
+  // From where the first wall begins, at a right angle.
+  void start_across()
+  {
+    if (m_result.traces.empty()) return;
+    const Visit begin = m_result.traces.front().visits.front();
+    Halfedge h = m_mesh.boundary_curves().front().front();
+    int d = (begin.ray.direction + 1) & 3;
+    while (!m_charts.corner_holds(h, d)) {
+      d += m_q.transition[m_mesh.prev(h)].rotation;
+      h = m_mesh.next_around_source(h);
+    }
+    start(no_singularity, h, d & 3);
+    m_result.meetings.push_back({0, 0, m_result.traces.size() - 1, 0, 1});
   }
 
   // Run: from face to face.
@@ -138,6 +213,7 @@ private:
   void cross_edge(std::size_t i)
   {
     const Halfedge exit = m_heading[i].exit, h = m_mesh.opposite(exit);
+    if (m_mesh.is_border(h)) return;   // it is about to stop at the wall
     const Ray ray = carried(i, m_heading[i].ray, exit);
     visit(i, m_mesh.face(h), ray, m_heading[i].arrival, m_heading[i].arrival_is_rounded);
     const std::int64_t apex = ray.side(m_charts.corner(m_mesh.prev(h)));
@@ -191,9 +267,10 @@ private:
     const Halfedge h = m_heading[i].exit;
     const Vertex v = m_mesh.source(h);
     const std::int64_t time = m_heading[i].arrival;
-    if (m_singular[v])   // the opposite trace from there must have met it
+    if (m_singularity[v] != no_singularity)   // the opposite trace from there must have met it
       throw Numerical_error(name(i) + " ran into the singularity at vertex " + std::to_string(v.idx()));
     register_passage(i, v, (m_heading[i].ray.direction + rotation_to_vertex_frame(h)) & 3, time);
+    if (m_mesh.is_border(v)) return;   // it is about to stop at the wall
 
     Ray ray = m_heading[i].ray;
     Halfedge g = h;
@@ -209,8 +286,8 @@ private:
   int rotation_to_vertex_frame(Halfedge h) const
   {
     int rotation = 0;
-    for (const Halfedge first = m_mesh.halfedge_from(m_mesh.source(h)); h != first; h = m_mesh.next_around_source(h))
-      rotation += m_q.transition[m_mesh.prev(h)].rotation;
+    for (const Halfedge first = m_mesh.halfedge_from(m_mesh.source(h)); h != first; h = m_mesh.next(m_mesh.opposite(h)))
+      rotation += m_q.transition[h].rotation;
     return rotation & 3;
   }
 
@@ -218,7 +295,7 @@ private:
 
   void register_line(std::size_t i, Face f, const Ray& ray)
   {
-    int& same = m_first_line[2 * f.idx() + (ray.direction & 1)];
+    const int same = m_first_line[2 * f.idx() + (ray.direction & 1)];
     const int perpendicular = m_first_line[2 * f.idx() + (~ray.direction & 1)];
     for (int l = perpendicular; l >= 0; l = m_lines[l].next) {
       const Line& other = m_lines[l];
@@ -231,32 +308,51 @@ private:
       if (other.ray.direction != ray.direction && other.ray.level == -ray.level && other.trace != i)
         announce_head_on(i, other.trace, (ray.clock + other.ray.clock) / 2);   // where the times agree; clocks are even
     }
-    m_lines.push_back({i, ray, same});
-    same = static_cast<int>(m_lines.size()) - 1;
+    add_line(i, f, ray);
+  }
+
+  void add_line(std::size_t i, Face f, const Ray& ray)
+  {
+    int& first = m_first_line[2 * f.idx() + (ray.direction & 1)];
+    m_lines.push_back({i, ray, first});
+    first = static_cast<int>(m_lines.size()) - 1;
   }
 
   void register_passage(std::size_t i, Vertex v, int direction, std::int64_t time)
   {
-    int& first = m_first_passage[v];
-    for (int p = first; p >= 0; p = m_passages[p].next) {
+    for (int p = m_first_passage[v]; p >= 0; p = m_passages[p].next) {
       const Passage& other = m_passages[p];
       const int turn = (other.direction - direction) & 3;
       if (turn & 1) announce_meeting(i, time, other.trace, other.time, turn);
       else if (other.time == time) announce_head_on(i, other.trace, time);
     }
-    m_passages.push_back({i, direction, time, first});
-    first = static_cast<int>(m_passages.size()) - 1;
+    add_passage(i, v, direction, time);
+  }
+
+  void add_passage(std::size_t i, Vertex v, int direction, std::int64_t time)
+  {
+    m_passages.push_back({i, direction, time, m_first_passage[v]});
+    m_first_passage[v] = static_cast<int>(m_passages.size()) - 1;
   }
 
   // The later of two perpendicular traces is to stop; of two at the same time, the one with the greater number.
   void announce_meeting(std::size_t a, std::int64_t time_a, std::size_t b, std::int64_t time_b, int turn_from_a_to_b)
   {
+    if (m_result.traces[b].is_wall) return announce_wall(a, time_a, b, time_b, turn_from_a_to_b);
     if (time_a <= 0 || time_b <= 0) return;   // at the singularity they come from
     const Event_kind kind = time_a == time_b ? Event_kind::tie : Event_kind::crossing;
     if (time_a < time_b || (time_a == time_b && a < b))
       m_events.push({time_b, kind, b, a, time_a, turn_from_a_to_b & 3});
     else
       m_events.push({time_a, kind, a, b, time_b, -turn_from_a_to_b & 3});
+  }
+
+  void announce_wall(std::size_t i, std::int64_t time, std::size_t wall, std::int64_t wall_time, int turn_to_wall)
+  {
+    if (time <= 0) return;   // at the corner it comes from
+    const Trace& w = m_result.traces[wall];
+    if (w.is_closed() && wall_time == w.stop) wall_time = 0;
+    m_events.push({time, Event_kind::crossing, i, wall, wall_time, -turn_to_wall & 3});
   }
 
   void announce_head_on(std::size_t a, std::size_t b, std::int64_t time)
@@ -304,7 +400,9 @@ private:
 
   std::string name(std::size_t i) const
   {
-    const Vertex v = m_q.singularities[m_result.traces[i].singularity];
+    const std::size_t s = m_result.traces[i].singularity;
+    if (s == no_singularity) return "trace " + std::to_string(i) + ", from the boundary,";
+    const Vertex v = m_q.singularities[s];
     return "trace " + std::to_string(i) + ", from the singularity at vertex " + std::to_string(v.idx()) + ",";
   }
 
@@ -317,7 +415,8 @@ private:
   std::vector<Heading>       m_heading;          // by trace
   std::vector<char>          m_stopped_in_tie;   // by trace
   std::priority_queue<Event> m_events;
-  std::vector<char>          m_singular;         // by vertex
+  std::vector<std::size_t>   m_singularity;      // by vertex
+  std::vector<Start>         m_starts;
   std::vector<Line>          m_lines;
   std::vector<int>           m_first_line;       // by 2 * face + (0 for horizontal, 1 for vertical)
   std::vector<Passage>       m_passages;

@@ -8,6 +8,7 @@
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
 #include <CGAL/Quartic_differentials/internal/cone_insertion.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -34,17 +35,20 @@ private:
   std::vector<Entry> m_entries;
 };
 
-/// How a flat triangulation was made from the input: cones inserted in its faces, then flips. What is decided here in
-/// doubles is combinatorics, which another number type takes over.
+/// How a flat triangulation was made from the input: cones inserted in its faces and corners on its boundary edges, then
+/// flips. What is decided here in doubles is combinatorics, which another number type takes over.
 struct Construction
 {
   struct Cone
   {
-    std::size_t              singularity;
-    Surface_point            location;   ///< on the input
-    Point_inserter::Inserted inserted;
+    std::size_t         singularity;
+    Surface_point       location;      ///< on the input
+    bool                on_boundary;
+    Vertex              vertex;
+    std::array<Edge, 3> spoke;         ///< from the new vertex
+    std::array<int, 3>  end;           ///< where the spokes end, named as in `Face_piece`
   };
-  std::vector<Cone> cones;   ///< those in faces, in the order of their insertion
+  std::vector<Cone> cones;   ///< those that are no vertices of the input, in the order of their insertion
   Flip_log          flips;
 };
 

@@ -66,8 +66,14 @@ public:
   };
   /// \param p in a face of t
   Inserted insert(const Surface_point& p);
+  struct Inserted_on_boundary
+  {
+    Intrinsic_triangulation::Boundary_split split;
+    std::array<int, 3>                      end;   ///< where split.first, split.second and split.spoke end, named as in
+                                                   ///< `Face_piece`
+  };
   /// \param p on a boundary edge of its face of t, but not at a vertex
-  Intrinsic_triangulation::Boundary_split insert_on_boundary(const Surface_point& p);
+  Inserted_on_boundary insert_on_boundary(const Surface_point& p);
 
   /// t with the points
   const Intrinsic_triangulation& triangulation() const { return m_split; }

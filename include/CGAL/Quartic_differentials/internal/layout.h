@@ -76,7 +76,16 @@ std::array<FT, 2> exterior_turn(const FT& a, const FT& b, const FT& c)
   return {FT(-x / norm), FT(y / norm)};
 }
 
-/// unfolds a flat surface, face by face, in the number type of its lengths.
+/// a halfedge to begin a layout with: the first one along the boundary, or that of the first face
+inline Halfedge first_in_layout(const Intrinsic_triangulation& t)
+{
+  for (Halfedge h : t.halfedges())
+    if (t.is_border(h)) return t.opposite(h);
+  return t.halfedge(*t.faces().begin());
+}
+
+/// unfolds a flat surface, face by face, in the number type of its lengths. The first boundary edge, if there is one, is
+/// parallel to the first axis.
 /// \param rounded the lengths, as doubles
 /// Complexity: O(n log n).
 template <class FT>
@@ -102,7 +111,7 @@ Layout layout(const Intrinsic_triangulation& t, const std::vector<FT>& lengths, 
       h = t.next(h);
     }
   };
-  place(t.halfedge(*t.faces().begin()), {FT(0), FT(0)}, {FT(1), FT(0)});
+  place(first_in_layout(t), {FT(0), FT(0)}, {FT(1), FT(0)});
   while (!queue.empty()) {
     const Halfedge h = queue.pop(), o = t.opposite(h);
     if (!placed[t.face(o)]) place(o, position[t.next(h)], {FT(-direction[h][0]), FT(-direction[h][1])});

@@ -17,6 +17,7 @@ inline const char* name(T_mesh::Node_kind kind)
 {
   switch (kind) {
     case T_mesh::Node_kind::singularity: return "singularity";
+    case T_mesh::Node_kind::corner:      return "corner";
     case T_mesh::Node_kind::meeting:     return "meeting";
     case T_mesh::Node_kind::t_junction:  return "t_junction";
     default:                             return "crossing";
