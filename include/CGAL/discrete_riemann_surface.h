@@ -84,7 +84,7 @@ public:
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   /// \param np see `intrinsic_triangulation()`
-  /// \throws Unusable_surface_error as there
+  /// \throws Unusable_surface_error as there, and if the mesh has a boundary
   /// Complexity: one sparse factorisation, 2g back-substitutions, O(n log n) for the rest.
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Discrete_riemann_surface(const TriangleMesh& mesh,
@@ -142,6 +142,8 @@ private:
 
     static Riemann_surface steps_1_to_3(const Intrinsic_triangulation& input)
     {
+      if (input.has_boundary())
+        throw Unusable_surface_error("the mesh has a boundary: only closed surfaces have a period matrix");
       Visitor visitor;
       return riemann_surface(input, visitor, Homology_choice::handle_tunnel);
     }

@@ -12,23 +12,26 @@
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/parameters.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
+#include <CGAL/Quartic_differentials/split_obtuse_at_boundary.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 
-/// The meromorphic quartic differential of a closed surface, and everything on the way to it. One header per step of
+/// The meromorphic quartic differential of a surface, and everything on the way to it. One header per step of
 /// the pipeline stands in CGAL/Quartic_differentials/; this header is all that an application needs.
 namespace Quartic_differentials {
 
-/// computes the meromorphic quartic differential of a closed triangle mesh: singularities that satisfy the Abel-Jacobi
+/// computes the meromorphic quartic differential of a triangle mesh: singularities that satisfy the Abel-Jacobi
 /// condition, the flat cone metric they span, its charts with exact transitions, and the T-mesh of rectangles; quads and
 /// splines too if `options.quads` says how.
 ///
-/// \param mesh a closed connected triangle mesh of any genus, a model of `FaceListGraph`
+/// \param mesh a connected triangle mesh of any genus, closed or with boundary, a model of `FaceListGraph`. If it has a
+///        boundary, vertices may be added on that (`split_obtuse_at_boundary()`): results refer to `result.split_input`
 /// \param options how the singularities are chosen, and the tolerances of the steps
 /// \param visitor reports progress and can stop the run
 /// \param result is filled step by step, so that it holds what was computed even if a later step throws
@@ -48,12 +51,16 @@ void quartic_differential(const TriangleMesh& mesh, const Quartic_differential_o
                           Quartic_differential_result& result,
                           const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const Intrinsic_triangulation copy = intrinsic_triangulation(mesh, np);
+  Intrinsic_triangulation copy = intrinsic_triangulation(mesh, np);
   std::optional<Divisor> start;
   const auto given = CGAL::parameters::get_parameter(np, parameters::singularities_t());
   if constexpr (!std::is_same<std::decay_t<decltype(given)>, internal_np::Param_not_found>::value)
     start = internal::Mesh_correspondence<TriangleMesh>(mesh, copy, np).copied(given);
-  quartic_differential(copy, start, options, visitor, result);
+  if (!copy.has_boundary()) return quartic_differential(copy, start, options, visitor, result);
+  if (start) split_obtuse_at_boundary(copy, *start);
+  else       split_obtuse_at_boundary(copy);
+  result.split_input = std::move(copy);
+  quartic_differential(*result.split_input, start, options, visitor, result);
 }
 
 /// \overload

@@ -237,9 +237,11 @@ std::string structural_defect(const Intrinsic_triangulation& t)
   }
   for (Face f : t.faces())
     if (t.face(t.halfedge(f)) != f) return "face " + std::to_string(f.idx()) + " does not hold its halfedge";
-  std::vector<std::size_t> outgoing(t.number_of_vertices(), 0);
+  std::vector<std::size_t> outgoing(t.number_of_vertices(), 0), borders(t.number_of_vertices(), 0);
   for (Halfedge h : t.halfedges()) {
     ++outgoing[t.source(h)];
+    if (t.is_border(h) && ++borders[t.target(h)] > 1)
+      return "the triangles at vertex " + std::to_string(t.target(h).idx()) + " form more than one fan";
     if (t.is_border(h) && !t.is_border(t.target(h)))
       return "vertex " + std::to_string(t.target(h).idx()) + " does not hold its border halfedge";
   }

@@ -7,6 +7,7 @@
 #include <CGAL/Quartic_differentials/split_obtuse_at_boundary.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -81,14 +82,34 @@ private:
   std::vector<Part>       m_part;   // by edge, of boundary edges
 };
 
+// Where a point of a face is after the split of its boundary edge v0 v1 at p = (1 - s) v0 + s v1.
+// \param k the corner at v0, before the split
+Surface_point after_split(const Intrinsic_triangulation& t, const Surface_point& at, int k, double s,
+                          const Intrinsic_triangulation::Boundary_split& split)
+{
+  const double b0 = at.barycentric[k], b1 = at.barycentric[(k + 1) % 3], b2 = at.barycentric[(k + 2) % 3];
+  const bool is_first = b1 * (1 - s) <= b0 * s;
+  const Halfedge h = is_first ? split.first : split.second;
+  const std::array<double, 3> b = is_first ? std::array<double, 3>{b0 - b1 * (1 - s) / s, b1 / s, b2}
+                                           : std::array<double, 3>{b0 / (1 - s), b1 - b0 * s / (1 - s), b2};
+  Surface_point result{t.face(h), {}};
+  for (int i = 0; i < 3; ++i) result.barycentric[(t.corner(h) + i) % 3] = std::max(0.0, b[i]);
+  return result;
+}
+
 // Splits a boundary edge at the given fractions of its length.
-void split_at(Intrinsic_triangulation& t, Halfedge h, std::vector<double> fractions)
+void split_at(Intrinsic_triangulation& t, Halfedge h, std::vector<double> fractions, Divisor& divisor)
 {
   std::sort(fractions.begin(), fractions.end());
   const Point_3 from = t.mesh().point(t.source(h)), to = t.mesh().point(t.target(h));
   double begin = 0;
   for (double at : fractions) {
-    const auto s = t.split_boundary_edge(h, (at - begin) / (1 - begin));
+    const double fraction = (at - begin) / (1 - begin);
+    const Face f = t.face(h);
+    const int corner = t.corner(h);
+    const auto s = t.split_boundary_edge(h, fraction);
+    for (Singularity& p : divisor)
+      if (p.location.face == f) p.location = after_split(t, p.location, corner, fraction, s);
     if (t.is_embedded()) t.set_point(s.vertex, from + at * (to - from));
     h = s.second;
     begin = at;
@@ -99,6 +120,12 @@ void split_at(Intrinsic_triangulation& t, Halfedge h, std::vector<double> fracti
 
 std::size_t split_obtuse_at_boundary(Intrinsic_triangulation& t)
 {
+  Divisor none;
+  return split_obtuse_at_boundary(t, none);
+}
+
+std::size_t split_obtuse_at_boundary(Intrinsic_triangulation& t, Divisor& divisor)
+{
   const std::size_t most = t.number_of_edges() + 1000;
   Delaunay_with_parts delaunay(t);
   std::map<Halfedge, std::vector<double>> fractions;
@@ -107,7 +134,7 @@ std::size_t split_obtuse_at_boundary(Intrinsic_triangulation& t)
     if (added > most)
       throw Numerical_error("the boundary still has obtuse triangles after " + std::to_string(added) + " splits: the surface "
                             "has needles there");
-  for (auto& [h, at] : fractions) split_at(t, h, at);
+  for (auto& [h, at] : fractions) split_at(t, h, at, divisor);
   return added;
 }
 

@@ -50,6 +50,12 @@ void print_loops(std::ostream& out, const Handle_tunnel_loops& loops)
         << " edges" << (loops.loops[k].simple ? "" : ", not simple") << '\n';
 }
 
+std::string boundary_text(int curves)
+{
+  if (curves == 0) return "closed";
+  return std::to_string(curves) + (curves == 1 ? " boundary curve" : " boundary curves");
+}
+
 void info(const Info_options& options)
 {
   Progress progress(options.quiet);
@@ -63,12 +69,15 @@ void info(const Info_options& options)
     std::cout << surface_report(facts, &surface).dump(1) << '\n';
     return;
   }
-  std::cout << "  surface           closed, genus " << input.genus() << ", " << input.number_of_vertices() << " vertices, "
+  const int curves = input.number_of_boundary_curves();
+  std::cout << "  surface           " << boundary_text(curves) << ", genus " << input.genus() << ", " << input.number_of_vertices() << " vertices, "
             << input.number_of_edges() << " edges, " << input.number_of_faces() << " faces, area " << input.area() << '\n';
   for (const std::string& note : facts.notes) std::cout << "  note              " << note << '\n';
-  std::cout << "  singularities     orders must add up to 8g-8 = " << 8 * input.genus() - 8 << '\n';
+  const int degree = 8 * input.genus() - 8 + 4 * curves;
+  if (curves == 0) std::cout << "  singularities     orders must add up to 8g-8 = " << degree << '\n';
+  else std::cout << "  singularities     orders, and numbers of quads at corners less 2, must add up to 8g-8+4b = " << degree << '\n';
   if (surface.loops) print_loops(std::cout, *surface.loops);
-  if (input.genus() > 0) print_period_matrix(std::cout, surface.periods);
+  if (input.genus() > 0 && curves == 0) print_period_matrix(std::cout, surface.periods);
 }
 
 } // namespace
@@ -76,9 +85,9 @@ void info(const Info_options& options)
 void add_info(CLI::App& app)
 {
   auto options = std::make_shared<Info_options>();
-  CLI::App* command = app.add_subcommand("info", "Tell the genus, the loops of handles and tunnels and the period "
-                                                 "matrix of a mesh");
-  command->add_option("MESH", options->mesh, "Closed mesh (.off, .obj, .ply, .stl, .vtp, .json)")->required();
+  CLI::App* command = app.add_subcommand("info", "Tell the genus of a mesh and, if it is closed, the loops of "
+                                                 "handles and tunnels and the period matrix");
+  command->add_option("MESH", options->mesh, "Mesh (.off, .obj, .ply, .stl, .vtp, .json)")->required();
   command->add_flag("--json", options->json, "Print the report as JSON");
   command->add_flag("!--no-loops", options->loops, "Take any canonical homology basis, not one of short loops");
   command->add_flag("-q,--quiet", options->quiet, "Print no progress");

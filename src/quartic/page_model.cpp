@@ -269,7 +269,7 @@ private:
     m_place[patch] = place;
     for (const auto& side : m_t.patches[patch].sides)
       for (const T_mesh::Side_piece& piece : side)
-        for (int from : {0, 1})
+        for (int from = 0; m_uses[piece.arc].size() == 2 && from < 2; ++from)
           if (m_uses[piece.arc][from].patch == patch)
             rim.emplace(m_t.arcs[piece.arc].length, piece.arc, from, 1 - from);
   }
@@ -285,7 +285,7 @@ private:
   }
 
   const T_mesh&                           m_t;
-  std::vector<std::vector<Use_of_arc>>    m_uses;    // by arc: two
+  std::vector<std::vector<Use_of_arc>>    m_uses;    // by arc: two, or one on the boundary
   std::vector<std::optional<Transition>>  m_place;   // by patch: to the plane
 };
 

@@ -43,7 +43,7 @@ Json input_report(const Run_facts& facts)
 {
   const Intrinsic_triangulation& t = *facts.input;
   return {{"mesh", facts.mesh}, {"vertices", t.number_of_vertices()}, {"edges", t.number_of_edges()},
-          {"faces", t.number_of_faces()}, {"genus", t.genus()}, {"boundary", 0}, {"area", t.area()},
+          {"faces", t.number_of_faces()}, {"genus", t.genus()}, {"boundary", t.number_of_boundary_curves()}, {"area", t.area()},
           {"embedded", t.is_embedded()}, {"notes", facts.notes}};
 }
 
@@ -65,7 +65,8 @@ Json loops_report(const Intrinsic_triangulation& t, const Handle_tunnel_loops& l
 
 Json homology_report(const Intrinsic_triangulation& t, const Riemann_surface& s)
 {
-  Json report = {{"intersection_matrix", rounded_integers(s.homology.intersection_matrix)}, {"delaunay_flips", s.flips}};
+  Json report = {{"delaunay_flips", s.flips}};
+  if (!t.has_boundary()) report["intersection_matrix"] = rounded_integers(s.homology.intersection_matrix);
   if (!s.loops) return report;
   report["handles_and_tunnels"] = {{"found", s.loops->classes.found}, {"certified", s.loops->classes.certified}};
   if (!s.loops->classes.certified) report["handles_and_tunnels"]["reason"] = s.loops->classes.reason;
@@ -104,22 +105,32 @@ double reduced_turning(double radians)
   return reduced < -0.75 * CGAL_PI ? reduced + 2 * CGAL_PI : reduced;
 }
 
-// the paper's table 2: the rotation along every basis loop and round every singularity, of the metric that was laid out,
-// or, if the run did not come so far, of step 6
+// the name of a path of the basis: on surfaces with boundary there are loops and arcs
+std::string path_name(const Intrinsic_triangulation& t, int k)
+{
+  const int loops = 2 * t.genus();
+  if (!t.has_boundary()) return loop_name(k, loops / 2);
+  return k < loops ? "loop " + std::to_string(k + 1) : "arc " + std::to_string(k - loops + 1);
+}
+
+// the paper's table 2: the rotation along every basis loop and round every singularity, and the angle of every corner, of
+// the metric that was laid out, or, if the run did not come so far, of step 6
 Json holonomy_report(const Exact_cone_metric& m, const std::optional<Precision_report>& precision)
 {
   Json table = Json::array();
-  const int n = static_cast<int>(m.turning.size());
-  for (int k = 0; k < n; ++k) {
+  const Intrinsic_triangulation& t = m.metric.triangulation;
+  for (int k = 0; k < static_cast<int>(m.turning.size()); ++k) {
     const double error = precision ? precision->turning_error[k] : quarter_turn_defect(m.turning[k]);
-    table.push_back(holonomy_of(loop_name(k, n / 2), reduced_turning(m.turning[k]), error));
+    table.push_back(holonomy_of(path_name(t, k), reduced_turning(m.turning[k]), error));
   }
-  const std::vector<double> curvature = curvatures(m.metric.triangulation, m.metric.angles);
-  for (std::size_t i = 0; i < m.metric.cones.size(); ++i) {
-    const Vertex v = m.metric.cones[i];
-    const double angle = 2 * CGAL_PI - curvature[v];
+  const std::vector<double> curvature = curvatures(t, m.metric.angles);
+  int singularities = 0, corners = 0;
+  for (Vertex v : m.metric.cones) {
+    const double angle = (t.is_border(v) ? CGAL_PI : 2 * CGAL_PI) - curvature[v];
     const double error = precision ? -precision->curvature_error[v] : quarter_turn_defect(angle);
-    table.push_back(holonomy_of("singularity " + std::to_string(i + 1), angle, error));
+    const std::string name = t.is_border(v) ? "corner " + std::to_string(++corners)
+                                            : "singularity " + std::to_string(++singularities);
+    table.push_back(holonomy_of(name, angle, error));
   }
   return table;
 }
@@ -135,12 +146,15 @@ Json precision_report(const Precision_report& p)
 
 Json abel_jacobi_report(const Quartic_differential_result& r)
 {
+  Json report = {{"residual", r.legal->residual.norm()}, {"iterations", r.legal->history.size() - 1},
+                 {"history", r.legal->history}, {"lattice_vectors_tried", r.legal->tried},
+                 {"closest_vector_certified", r.legal->certified}};
+  if (!r.image) return report;
   Json image = Json::array();
   for (Eigen::Index k = 0; k < r.image->image.size(); ++k)
     image.push_back({{"re", r.image->image[k].real()}, {"im", r.image->image[k].imag()}});
-  return {{"integers", {{"s", r.image->s}, {"t", r.image->t}}}, {"residual", r.legal->residual.norm()},
-          {"iterations", r.legal->history.size() - 1}, {"history", r.legal->history},
-          {"lattice_vectors_tried", r.legal->tried}, {"closest_vector_certified", r.legal->certified}, {"image", image}};
+  report.update({{"integers", {{"s", r.image->s}, {"t", r.image->t}}}, {"image", image}});
+  return report;
 }
 
 // E of the linearised flat metric and its area scale, from the first choice to the legal divisor
@@ -177,13 +191,15 @@ Json distortion_report(const Quartic_differential_result& r)
   return report;
 }
 
-Json singularities_report(const Run_facts& facts, const Quartic_differential_result& r)
+// those inside, or the corners of the boundary
+Json singularities_report(const Run_facts& facts, const Quartic_differential_result& r, bool on_boundary)
 {
   Json list = Json::array();
   for (std::size_t i = 0; i < r.singularities.size(); ++i) {
     const Singularity& s = r.singularities[i];
-    Json entry = {{"order", s.order}, {"valence", s.order + 4}, {"pinned", s.pinned},
-                  {"face", s.location.face.idx()}, {"barycentric", s.location.barycentric}};
+    if (s.on_boundary != on_boundary) continue;
+    Json entry = {{"order", s.order}, {on_boundary ? "quads" : "valence", s.order + (on_boundary ? 2 : 4)},
+                  {"pinned", s.pinned}, {"face", s.location.face.idx()}, {"barycentric", s.location.barycentric}};
     if (facts.input->is_embedded()) entry["position"] = point(position_on_input(*facts.input, s.location));
     if (facts.input->is_embedded())
       entry["started_at"] = point(position_on_input(*facts.input, r.surface->refinement->to_input((*r.initial)[i].location)));
@@ -206,10 +222,12 @@ Json t_mesh_report(const T_mesh& t)
 {
   std::map<T_mesh::Node_kind, int> count;
   for (const T_mesh::Node& n : t.nodes) ++count[n.kind];
-  return {{"grid_exponent", t.grid_exponent}, {"nodes", t.nodes.size()}, {"arcs", t.arcs.size()},
+  Json report = {{"grid_exponent", t.grid_exponent}, {"nodes", t.nodes.size()}, {"arcs", t.arcs.size()},
           {"patches", t.patches.size()}, {"singularities", count[T_mesh::Node_kind::singularity]},
           {"t_junctions", count[T_mesh::Node_kind::t_junction]}, {"crossings", count[T_mesh::Node_kind::crossing]},
           {"meetings", count[T_mesh::Node_kind::meeting]}};
+  if (count[T_mesh::Node_kind::corner] > 0) report["corners"] = count[T_mesh::Node_kind::corner];
+  return report;
 }
 
 // over the triangles of the subdivided input
@@ -300,6 +318,7 @@ Json surface_report(const Run_facts& facts, const Riemann_surface* s)
   }
   report["homology"] = homology_report(*facts.input, *s);
   report["holomorphic_forms"] = {{"residual", s->forms.residual}, {"zeros", zeros}};
+  if (facts.input->has_boundary()) return report;
   report["period_matrix"] = {{"re", reals(s->periods.pi.real())}, {"im", reals(s->periods.pi.imag())},
                              {"star_defect", s->periods.star_defect},
                              {"dirichlet_lower", reals(s->periods.lower)}, {"dirichlet_upper", reals(s->periods.upper)}};
@@ -311,10 +330,11 @@ Json run_report(const Run_facts& facts, const Quartic_differential_result& r)
   Json report = {{"status", facts.failure.empty() ? "done" : "failed"}};
   if (!facts.failure.empty()) report["failure"] = facts.failure;
   report.update(surface_report(facts, r.surface ? &*r.surface : nullptr));
-  if (r.image) report["abel_jacobi"] = abel_jacobi_report(r);
+  if (r.legal) report["abel_jacobi"] = abel_jacobi_report(r);
   if (r.legal) report["distortion"] = distortion_report(r);
   if (r.metric) {
-    report["singularities"] = singularities_report(facts, r);
+    report["singularities"] = singularities_report(facts, r, false);
+    if (facts.input->has_boundary()) report["corners"] = singularities_report(facts, r, true);
     report["flow"] = flow_report(*r.metric);
     report["holonomy"] = holonomy_report(*r.metric, r.precision);
     report["max_holonomy_error_radians"] = r.precision

@@ -29,6 +29,17 @@ std::string valences(const Json& singularities)
   return text.empty() ? "none" : text;
 }
 
+// "4 with 1 quad, 1 with 3 quads"
+std::string corners_text(const Json& corners)
+{
+  std::map<int, int> count;
+  for (const Json& c : corners) ++count[c["quads"].get<int>()];
+  std::string text;
+  for (const auto& [quads, n] : count)
+    text += (text.empty() ? "" : ", ") + std::to_string(n) + " with " + std::to_string(quads) + (quads == 1 ? " quad" : " quads");
+  return text.empty() ? "none" : text;
+}
+
 void row(std::ostream& out, const std::string& what, const std::string& value)
 {
   out << "  " << what << std::string(what.size() < 18 ? 18 - what.size() : 1, ' ') << value << '\n';
@@ -39,7 +50,9 @@ void row(std::ostream& out, const std::string& what, const std::string& value)
 void print_summary(std::ostream& out, const Json& report)
 {
   const Json& input = report["input"];
+  const int curves = input["boundary"].get<int>();
   row(out, "surface", "genus " + std::to_string(input["genus"].get<int>()) + ", "
+      + (curves == 0 ? "" : std::to_string(curves) + (curves == 1 ? " boundary curve, " : " boundary curves, "))
       + std::to_string(input["vertices"].get<std::size_t>()) + " vertices, "
       + std::to_string(input["faces"].get<std::size_t>()) + " faces");
   for (const Json& note : input["notes"]) row(out, "note", note.get<std::string>());
@@ -50,6 +63,7 @@ void print_summary(std::ostream& out, const Json& report)
         + std::to_string(report["abel_jacobi"]["iterations"].get<int>()) + " Gauss-Newton steps");
   if (report.contains("singularities"))
     row(out, "singularities", std::to_string(report["singularities"].size()) + ": " + valences(report["singularities"]));
+  if (report.contains("corners")) row(out, "corners", corners_text(report["corners"]));
   if (report.contains("distortion")) {
     const Json& d = report["distortion"];
     std::string text = number(d["distortion"]);

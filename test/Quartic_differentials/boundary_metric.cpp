@@ -10,6 +10,7 @@
 
 #include <CGAL/Quartic_differentials/cone_metric.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 
 #include <Eigen/Dense>
 
@@ -33,6 +34,30 @@ std::vector<std::vector<int>> corners_of(int curves)
 
 // ---- splits of the boundary
 
+// Singularities keep their places in space, and corners stay on the boundary.
+void check_carried_divisor(const Intrinsic_triangulation& t)
+{
+  std::mt19937 random(3);
+  Divisor divisor;
+  for (Face f : t.faces()) {
+    const double x = uniform(random, 0.01, 0.49), y = uniform(random, 0.01, 0.49);
+    divisor.push_back({{f, {1 - x - y, x, y}}, 1, false, false});
+  }
+  for (const auto& curve : t.boundary_curves())
+    for (Halfedge h : curve) divisor.push_back({on_edge(t, h, uniform(random, 0.01, 0.99)), 1, false, true});
+  Intrinsic_triangulation split = t;
+  Divisor carried = divisor;
+  split_obtuse_at_boundary(split, carried);
+  double farthest = 0;
+  for (std::size_t i = 0; i < divisor.size(); ++i) {
+    const Point_3 before = position_on_input(t, divisor[i].location), after = position_on_input(split, carried[i].location);
+    farthest = std::max(farthest, CGAL::squared_distance(before, after));
+    if (divisor[i].on_boundary)
+      CHECK(internal::boundary_place(split, carried[i].location).halfedge != Mesh::null_halfedge());
+  }
+  CHECK(std::sqrt(farthest) <= 1e-12);
+}
+
 // No angle opposite a boundary edge of the Delaunay triangulation is obtuse; the surface is the one it was, and nothing is
 // split twice.
 void check_splits(const Surface_with_boundary& s)
@@ -51,6 +76,7 @@ void check_splits(const Surface_with_boundary& s)
   const std::vector<double> k = curvatures(p.input, corner_angles(p.input, p.input.lengths()));
   for (std::size_t v = s.surface.number_of_vertices(); v < k.size(); ++v) CHECK_NEAR(k[v], 0, 1e-9);
   if (!p.input.is_embedded()) return;
+  check_carried_divisor(s.surface);
   for (Edge e : p.input.edges()) {   // lengths and places agree
     const Halfedge h = p.input.halfedge(e);
     CHECK_NEAR(p.input.length(e), std::sqrt(CGAL::squared_distance(p.input.mesh().point(p.input.source(h)),

@@ -41,6 +41,46 @@ Quartic_differential_result run(const Intrinsic_triangulation& input, const Divi
   return result;
 }
 
+// The differential on two copies of a surface, the second with the charts conj(z), glued along the boundary: a closed
+// surface, on which a corner of order n is a singularity of order 2n.
+Quartic_differential mirror_double(const Quartic_differential& q)
+{
+  const Intrinsic_triangulation& t = q.triangulation;
+  const Mirror_double twice = mirror_double(t, Integer_cochains(t.number_of_edges(), 0));
+  const auto conj = [](Grid_vector z) { return Grid_vector{z.x, -z.y}; };
+  Quartic_differential d;
+  d.triangulation = twice.surface;
+  d.grid_exponent = q.grid_exponent;
+  d.corner.resize(d.triangulation.number_of_halfedges());
+  d.transition.resize(d.triangulation.number_of_halfedges());
+  d.order.resize(d.triangulation.number_of_vertices());
+  for (Face f : t.faces())
+    for (int k = 0; k < 3; ++k) {
+      const Halfedge h = t.halfedges(f)[k];
+      const Face image(static_cast<Mesh::size_type>(t.number_of_faces() + f.idx()));
+      const Halfedge here = d.triangulation.halfedges(f)[k], there = d.triangulation.halfedges(image)[2 - k];
+      d.corner[here] = q.corner[h];
+      d.corner[there] = conj(q.corner[t.next(h)]);
+      const Transition& across = q.transition[h];
+      if (!t.is_border(t.opposite(h))) {
+        d.transition[here] = across;
+        d.transition[there] = {(4 - across.rotation) & 3, conj(across.translation)};
+        continue;
+      }
+      const Grid_vector z = q.corner[h];
+      const bool horizontal = z.y == q.corner[t.next(h)].y;
+      d.transition[here] = horizontal ? Transition{0, {0, -2 * z.y}} : Transition{2, {2 * z.x, 0}};
+      d.transition[there] = d.transition[here].inverse();
+    }
+  for (Vertex v : t.vertices()) {
+    d.order[v] = t.is_border(v) ? 2 * q.order[v] : q.order[v];
+    d.order[twice.image[v]] = d.order[v];
+  }
+  for (Vertex v : d.triangulation.vertices())
+    if (d.order[v] != 0) d.singularities.push_back(v);
+  return d;
+}
+
 // Every invariant of the results, and the counts of corners by hand.
 void check_results(const Intrinsic_triangulation& input, const Quartic_differential_result& r)
 {
@@ -50,6 +90,11 @@ void check_results(const Intrinsic_triangulation& input, const Quartic_different
   CHECK_EQUAL(r.refined->flipped_triangles, 0u);
   CHECK_EQUAL(defect(r.refined->differential), "");
   CHECK_EQUAL(defect(*r.t_mesh, r.traced()), "");
+  if (const Quartic_differential twice = mirror_double(r.traced()); !twice.singularities.empty()) {
+    CHECK_EQUAL(defect(twice), "");
+    Visitor visitor;
+    CHECK_EQUAL(defect(t_mesh(twice, visitor), twice), "");
+  }
   CHECK_EQUAL(r.t_mesh->euler_characteristic(), 2l - 2 * input.genus() - input.number_of_boundary_curves());
   std::size_t corners = 0, expected = 0;
   for (const T_mesh::Node& n : r.t_mesh->nodes) corners += n.kind == T_mesh::Node_kind::corner;

@@ -155,7 +155,7 @@ void check_small_gluings()
     CHECK_THROWS(Intrinsic_triangulation(Glued_triangles{{{0, 1, 2}, second}, {first, {nothing, nothing, nothing}},
                                                          {{1, 1, 1}, {1, 1, 1}}}), Unusable_surface_error, why);
   };
-  refused({nothing, nothing, nothing}, {0, 3, 4}, "the triangles at vertex 0 do not form one circle");
+  refused({nothing, nothing, nothing}, {0, 3, 4}, "the triangles at vertex 0 form more than one fan");
   refused({nothing, nothing, {-1, 0}}, {3, 4, 5}, "edge 2 of triangle 0 is glued to something that does not exist");
   refused({nothing, nothing, {1, 0}}, {0, 2, 4}, "edge 2 of triangle 0 is not glued to exactly one other edge");
   const Intrinsic_triangulation two(Glued_triangles{{{0, 1, 2}, {3, 4, 5}}, {{nothing, nothing, nothing},

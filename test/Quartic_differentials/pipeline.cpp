@@ -221,13 +221,38 @@ void test_polyhedron()
     CHECK(CGAL::squared_distance(position_on_input(from_polyhedron, r.singularities[i].location),
                                  position_on_input(from_mesh, s.singularities[i].location)) < 1e-16 * from_mesh.area());
 
-  Mesh open = mesh;
-  CGAL::Euler::remove_face(*halfedges(open).first, open);
-  CHECK_THROWS(intrinsic_triangulation(open), Unusable_surface_error, "boundary");
   Mesh two = mesh;
   two += handle_chain(0, 6);
   CHECK_THROWS(intrinsic_triangulation(two), Unusable_surface_error, "not connected");
   CHECK_THROWS(intrinsic_triangulation(Mesh()), Unusable_surface_error, "no triangle");
+}
+
+// A square with its four corners is one rectangle of the T-mesh. The triangles at two of the corners are obtuse nowhere,
+// but in the middle of one side is a vertex near the boundary.
+void test_boundary()
+{
+  Mesh mesh;
+  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(0, 1, 0), Point_3(0.5, 0.1, 0)})
+    mesh.add_vertex(p);
+  for (Mesh::size_type k = 0; k < 4; ++k) mesh.add_face(Vertex(k), Vertex((k + 1) % 4), Vertex(4));
+  Mesh_divisor<Mesh> corners;
+  for (Mesh::size_type k = 0; k < 4; ++k) {
+    const Halfedge h = mesh.halfedge(Vertex(k), Vertex((k + 1) % 4));
+    std::array<double, 3> b{0, 0, 0};
+    b[h == mesh.halfedge(mesh.face(h)) ? 0 : h == mesh.next(mesh.halfedge(mesh.face(h))) ? 1 : 2] = 1;
+    corners.push_back({{mesh.face(h), b}, -1, true, true});
+  }
+  const Quartic_differential_result r = quartic_differential(mesh, {}, parameters::singularities(corners));
+  CHECK_EQUAL(r.split_input->number_of_vertices(), 6u);
+  CHECK_EQUAL(defect(*r.t_mesh, r.traced()), "");
+  CHECK_EQUAL(r.t_mesh->patches.size(), 1u);
+  CHECK_EQUAL(r.t_mesh->patches[0].width, r.t_mesh->patches[0].height);
+
+  Mesh bow_tie;
+  for (int k = 0; k < 5; ++k) bow_tie.add_vertex(Point_3(k % 2, k / 2, k == 4 ? 1 : 0));
+  bow_tie.add_face(Vertex(0), Vertex(1), Vertex(2));
+  bow_tie.add_face(Vertex(0), Vertex(3), Vertex(4));
+  CHECK_THROWS(intrinsic_triangulation(bow_tie), Unusable_surface_error, "more than one fan");
 }
 
 } // namespace
@@ -235,6 +260,7 @@ void test_polyhedron()
 int main()
 {
   test_samples();
+  test_boundary();
   test_own_singularities();
   test_route_through_zeros();
   test_high_orders();

@@ -26,6 +26,7 @@ struct Mesh_singularity
   Polygon_mesh_processing::Face_location<TriangleMesh, double> location;
   int  order  = 0;
   bool pinned = false;   ///< may not be moved
+  bool on_boundary = false;   ///< a corner, of order m - 2, on a boundary edge: the coordinate opposite to it is exactly 0
 };
 
 /// A divisor on a mesh of the user's.
@@ -72,7 +73,7 @@ public:
   {
     Divisor result;
     for (const Mesh_singularity<TriangleMesh>& s : divisor)
-      result.push_back({{copied(s.location.first), s.location.second}, s.order, s.pinned});
+      result.push_back({{copied(s.location.first), s.location.second}, s.order, s.pinned, s.on_boundary});
     return result;
   }
 
@@ -80,7 +81,7 @@ public:
   {
     Mesh_divisor<TriangleMesh> result;
     for (const Singularity& s : divisor)
-      result.push_back({{original(s.location.face), s.location.barycentric}, s.order, s.pinned});
+      result.push_back({{original(s.location.face), s.location.barycentric}, s.order, s.pinned, s.on_boundary});
     return result;
   }
 

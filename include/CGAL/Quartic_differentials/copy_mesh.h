@@ -14,6 +14,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <array>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -72,7 +73,8 @@ Intrinsic_triangulation copy_with_lengths(const TriangleMesh& mesh, const EdgeLe
   std::vector<int> number(num_vertices(mesh));
   int n = 0;
   for (auto v : vertices(mesh)) number[get(vertex_index, v)] = n++;
-  std::vector<std::array<int, 2>> place(num_halfedges(mesh));   // by halfedge: the number of its face, and 0, 1 or 2
+  // by halfedge: the number of its face, and 0, 1 or 2
+  std::vector<std::array<int, 2>> place(num_halfedges(mesh), {-1, -1});
   n = 0;
   for (auto f : faces(mesh)) {
     const auto h = halfedges_of(f, mesh);
@@ -122,8 +124,8 @@ Intrinsic_triangulation copy_with_lengths(const TriangleMesh& mesh, const EdgeLe
 ///     \cgalParamDefault{an index map that is made}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \throws Unusable_surface_error if the mesh is empty, has a boundary or a face that is not a triangle, is not
-///         connected, has a degenerate face, or lengths that do not satisfy the triangle inequality
+/// \throws Unusable_surface_error if the mesh is empty, has a face that is not a triangle or a vertex that is not
+///         manifold, is not connected, has a degenerate face, or lengths that do not satisfy the triangle inequality
 /// Complexity: linear.
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Intrinsic_triangulation intrinsic_triangulation(const TriangleMesh& mesh,
@@ -131,13 +133,13 @@ Intrinsic_triangulation intrinsic_triangulation(const TriangleMesh& mesh,
 {
   static_assert(internal::is_face_list_graph<TriangleMesh>::value,
                 "the mesh must be a model of CGAL's concept FaceListGraph, like CGAL::Surface_mesh or Polyhedron_3");
-  if (!is_closed(mesh)) throw Unusable_surface_error("the mesh has a boundary");
   if (!is_triangle_mesh(mesh)) throw Unusable_surface_error("the mesh has a face that is not a triangle");
   const auto lengths = CGAL::parameters::get_parameter(np, parameters::edge_length_map_t());
   constexpr bool in_space = std::is_same<std::decay_t<decltype(lengths)>, internal_np::Param_not_found>::value;
   Intrinsic_triangulation result;
   if constexpr (in_space) result = internal::copy_in_space(mesh, np);
   else                    result = internal::copy_with_lengths(mesh, lengths, np);
+  if (const std::string defect = structural_defect(result); !defect.empty()) throw Unusable_surface_error(defect);
   check_surface(result);
   return result;
 }

@@ -37,6 +37,9 @@ struct Quartic_differential_options
   Homology_choice      homology = Homology_choice::handle_tunnel;
   Singularity_choice_options choice;            ///< how singularities are chosen when none are given
   bool                 add_to_given = false;    ///< choose more, beside those that are given
+  /// the corners of the boundary, on the faces of the input; without it they are found (`boundary_corners()`), unless there
+  /// are corners among the given singularities
+  std::optional<Divisor> corners;
   bool                 repair_degree = false;   ///< add simple singularities until the degree is 8g-8
   Optimize             optimize = Optimize::automatic;
   Abel_jacobi_route    route = Abel_jacobi_route::curvature;
@@ -53,6 +56,8 @@ struct Quartic_differential_options
 /// What the steps of the pipeline made; a step that was not reached left its part empty.
 struct Quartic_differential_result
 {
+  /// of a mesh with boundary: its copy with vertices added there, to whose faces all below refers
+  std::optional<Intrinsic_triangulation> split_input;
   std::optional<Riemann_surface>      surface;        ///< steps 1 to 3
   std::optional<Divisor>              initial;        ///< on `surface->delaunay`
   std::optional<Chosen_singularities> choice;         ///< how `initial` was chosen, if it was
@@ -79,7 +84,8 @@ struct Quartic_differential_result
 
 /// runs the eight steps from a surface to its T-mesh, and goes on to quads if `options.quads` says how.
 ///
-/// \param singularities the divisor to start from, on the faces of `input`; none: they are chosen
+/// \param singularities the divisor to start from, on the faces of `input`, corners of the boundary may be part of it; none:
+///        they are chosen
 /// \param result is filled step by step, so that it holds what was computed even if a later step throws
 /// \pre `input` is a connected surface without degenerate triangles; with boundary, `split_obtuse_at_boundary()` leaves
 ///      nothing to do on it

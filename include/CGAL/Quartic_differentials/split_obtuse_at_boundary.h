@@ -6,6 +6,7 @@
 #define CGAL_QUARTIC_DIFFERENTIALS_SPLIT_OBTUSE_AT_BOUNDARY_H
 
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+#include <CGAL/Quartic_differentials/divisor.h>
 
 #include <cstddef>
 
@@ -23,6 +24,9 @@ namespace Quartic_differentials {
 /// Complexity: that of Delaunay flips for every round; the rounds are few (not proved).
 /// Source: METHOD, "Surfaces with boundary".
 std::size_t split_obtuse_at_boundary(Intrinsic_triangulation& t);
+
+/// the same with a divisor on the faces of `t`, whose singularities stay where they are on the surface
+std::size_t split_obtuse_at_boundary(Intrinsic_triangulation& t, Divisor& divisor);
 
 } } // namespace CGAL::Quartic_differentials
 
