@@ -19,6 +19,7 @@ function orderColour(order) {
   const colours = order < 0 ? poleColours : zeroColours;
   return colours[Math.min(Math.abs(order), colours.length) - 1];
 }
+const corners = report.corners || [];   // of the boundary
 const orderName = order => (order < 0 ? "−" : "+") + Math.abs(order);
 
 const loopColours = {a: "#f2991a", b: "#0a807a"};

@@ -19,13 +19,17 @@ function layerControls(viewer) {
 }
 
 function legend() {
-  const box = document.getElementById("legend"), count = new Map();
-  for (const s of report.singularities || []) count.set(s.order, (count.get(s.order) || 0) + 1);
-  if (count.size === 0) return;
-  const items = [...count.keys()].sort((a, b) => a - b).map(order => make("li", {},
-    dot(order),
-    `order ${orderName(order)}, valence ${order + 4}: ${count.get(order)}`));
-  box.append(make("h3", {}, "Singularities"), make("ul", {}, items));
+  const box = document.getElementById("legend");
+  const add = (title, singularities, mark, name) => {
+    const count = new Map();
+    for (const s of singularities) count.set(s.order, (count.get(s.order) || 0) + 1);
+    if (count.size === 0) return;
+    const items = [...count.keys()].sort((a, b) => a - b)
+      .map(order => make("li", {}, mark(order), `${name(order)}: ${count.get(order)}`));
+    box.append(make("h3", {}, title), make("ul", {}, items));
+  };
+  add("Singularities", report.singularities || [], dot, order => `order ${orderName(order)}, valence ${order + 4}`);
+  add("Corners", corners, square, order => quadsAt(order + 2));
 }
 
 // What takes the model's place: a picture of it, and why.
@@ -44,7 +48,7 @@ function withoutModel() {
 function assemble() {
   const i = report.input;
   document.getElementById("subtitle").textContent =
-    `genus ${i.genus}, ${grouped(i.vertices)} vertices, ${grouped(i.faces)} triangles`;
+    `genus ${i.genus}, ${boundaryText()}${grouped(i.vertices)} vertices, ${grouped(i.faces)} triangles`;
   document.getElementById("facts").append(...facts());
   document.getElementById("sections").append(...[atlasSection, quadsSection, conesSection, surfaceSection,
     convergenceSection, distortionSection, timeSection, runSection].map(make => make()).filter(Boolean));

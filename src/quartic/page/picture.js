@@ -28,8 +28,13 @@ function picture(width, height) {
     const at = [3 * arcs[a], 3 * arcs[a + 1]];
     items.push({depth: Math.max(...at.map(p => seen[p + 2])) + lift, at});
   }
+  const addMarker = (singularity, isCorner) => {
+    if (singularity.position)
+      items.push({depth: along(axes[2], singularity.position, 0) + 2 * lift, singularity, isCorner});
+  };
   for (const singularity of report.singularities || [])
-    if (singularity.position) items.push({depth: along(axes[2], singularity.position, 0) + 2 * lift, singularity});
+    addMarker(singularity, false);
+  for (const corner of corners) addMarker(corner, true);
   items.sort((a, b) => a.depth - b.depth);
 
   const canvas = make("canvas", {width, height, id: "picture"}), context = canvas.getContext("2d");
@@ -38,11 +43,12 @@ function picture(width, height) {
     context.beginPath();
     at.forEach((p, k) => context[k === 0 ? "moveTo" : "lineTo"](seen[p], seen[p + 1]));
   };
-  for (const {t, at, singularity} of items) {
+  for (const {t, at, singularity, isCorner} of items) {
     if (singularity) {
-      const [x, y] = onPicture(singularity.position, 0);
+      const [x, y] = onPicture(singularity.position, 0), r = width / 190;
       context.beginPath();
-      context.arc(x, y, width / 190, 0, 2 * Math.PI);
+      if (isCorner) context.rect(x - r, y - r, 2 * r, 2 * r);
+      else context.arc(x, y, r, 0, 2 * Math.PI);
       context.fillStyle = orderColour(singularity.order);
       context.fill();
     } else if (t === undefined) {

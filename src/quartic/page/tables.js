@@ -18,6 +18,7 @@ const note = text => make("p", {class: "note"}, text);
 function facts() {
   const list = [["genus", report.input.genus], ["triangles", grouped(report.input.faces)]];
   if (report.singularities) list.push(["singularities", report.singularities.length]);
+  if (corners.length > 0) list.push(["corners", corners.length]);
   if (report.tmesh) list.push(["rectangles", grouped(report.tmesh.patches)]);
   if (report.quad_mesh) list.push(["quads", grouped(report.quad_mesh.quads)]);
   if (report.quality) list.push(["area scale spread", shown(report.quality.area_scale_99_to_1_percent)]);
@@ -29,6 +30,30 @@ function facts() {
 
 function dot(order) {
   return make("i", {class: "dot", style: `background:${orderColour(order)}`});
+}
+
+function square(order) {
+  return make("i", {class: "dot square", style: `background:${orderColour(order)}`});
+}
+const quadsAt = n => n === 1 ? "1 quad" : `${n} quads`;
+function boundaryText() {
+  const b = report.input.boundary;
+  return b === 0 ? "" : b === 1 ? "1 boundary curve, " : `${b} boundary curves, `;
+}
+
+function cornersOfBoundary() {
+  if (corners.length === 0) return "";
+  const columns = [
+    {title: "", of: c => String(corners.indexOf(c) + 1)},
+    {title: "quads", of: c => make("span", {}, square(c.order), " " + c.quads)},
+    {title: "position", of: c => c.position ? c.position.map(x => shown(x, 4)).join(", ") : `face ${c.face}`},
+    {title: "moved by", of: c => shown(c.moved_by)},
+    {title: "", of: c => c.pinned ? "pinned" : ""}];
+  return make("div", {},
+    make("h2", {}, "Corners"),
+    note("At a corner of the boundary with m quads the angle is m right angles, and its order m − 2. Between corners the "
+         + "boundary is straight."),
+    table(columns, corners));
 }
 
 function singularities() {
@@ -46,7 +71,9 @@ function singularities() {
   return make("div", {},
     make("h2", {}, "Singularities"),
     note("A vertex of valence k is a zero of order k − 4 of the differential (a pole where that is negative). "
-         + "The orders add up to 8g − 8. “Moved by” is how far legalization and exact holonomy took it."),
+         + (report.input.boundary === 0 ? "The orders add up to 8g − 8. "
+                                        : "With those of the corners the orders add up to 8g − 8 + 4b. ")
+         + "“Moved by” is how far legalization and exact holonomy took it."),
     table(columns, all));
 }
 
@@ -59,13 +86,14 @@ function holonomy() {
   return make("div", {},
     make("h2", {}, "Holonomy"),
     note("A direction carried along a loop comes back rotated by a multiple of 90°. Round a singularity it is the cone "
-         + "angle."),
+         + "angle." + (report.input.boundary === 0 ? "" : " Arcs lead from one boundary curve to another, from its direction "
+                                                         + "to that of the other.")),
     table(columns, report.holonomy));
 }
 
 function conesSection() {
   if (!report.singularities && !report.holonomy) return null;
-  return make("section", {}, make("div", {class: "columns"}, singularities(), holonomy()));
+  return make("section", {}, make("div", {class: "columns"}, singularities(), cornersOfBoundary(), holonomy()));
 }
 
 function matrix(rows) {
@@ -184,12 +212,15 @@ function timeSection() {
 
 function runSection() {
   const i = report.input, v = report.versions, p = report.precision;
-  const edit = report.singularities && report.singularities.length > 0 && i.embedded
-    ? [note("To go on from these singularities, edit or pin them in singularities.txt and add:"),
-       make("pre", {}, `--singularities ${run.folder}/singularities.txt`)] : [];
+  const files = [];
+  if (i.embedded && (report.singularities || []).length > 0) files.push("singularities");
+  if (i.embedded && corners.length > 0) files.push("corners");
+  const edit = files.length > 0
+    ? [note(`To go on from these ${files.join(" and ")}, edit or pin them in ${files.join(".txt and ")}.txt and add:`),
+       make("pre", {}, files.map(name => `--${name} ${run.folder}/${name}.txt`).join(" "))] : [];
   return section("The run",
     list([["input", i.mesh],
-          ["surface", `genus ${i.genus}, ${grouped(i.vertices)} vertices, ${grouped(i.edges)} edges, `
+          ["surface", `genus ${i.genus}, ${boundaryText()}${grouped(i.vertices)} vertices, ${grouped(i.edges)} edges, `
                       + `${grouped(i.faces)} faces, area ${shown(i.area, 5)}`
                       + (i.embedded ? "" : "; known by its edge lengths alone")],
           ["notes", i.notes.join("; ")], ["results", run.folder],

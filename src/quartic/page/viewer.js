@@ -101,11 +101,11 @@ function loopLines(letter, resolution) {
   return group;
 }
 
-function singularityBalls(radius) {
-  const group = new THREE.Group(), ball = new THREE.SphereBufferGeometry(radius, 20, 14);
-  for (const s of report.singularities || []) {
+function markers(shape, singularities) {
+  const group = new THREE.Group();
+  for (const s of singularities) {
     if (!s.position) continue;
-    const mesh = new THREE.Mesh(ball, new THREE.MeshLambertMaterial({color: orderColour(s.order)}));
+    const mesh = new THREE.Mesh(shape, new THREE.MeshLambertMaterial({color: orderColour(s.order)}));
     mesh.position.set(...s.position);
     group.add(mesh);
   }
@@ -114,13 +114,15 @@ function singularityBalls(radius) {
 
 function quadMesh(resolution) {
   const q = model.quads, points = numbers(q.points), quads = numbers(q.quads), patch = numbers(q.patch);
-  const triangles = new Uint32Array(quads.length / 4 * 6), patchOfCorner = new Uint32Array(quads.length), edges = [];
+  const triangles = new Uint32Array(quads.length / 4 * 6), patchOfCorner = new Uint32Array(quads.length);
+  const edges = [], drawn = new Set(), number = (a, b) => a * points.length + b;
   for (let f = 0; f < patch.length; ++f) {
     const c = 4 * f;
     triangles.set([c, c + 1, c + 2, c, c + 2, c + 3], 6 * f);
     for (let k = 0; k < 4; ++k) {
       const a = quads[c + k], b = quads[c + (k + 1) % 4];
-      if (a < b) edges.push(a, b);   // the neighbour runs along it the other way
+      if (!drawn.has(number(b, a))) edges.push(a, b);   // the neighbour, if there is one, runs along it the other way
+      drawn.add(number(a, b));
       patchOfCorner[c + k] = patch[f];
     }
   }
@@ -217,7 +219,12 @@ function createViewer(element) {
     addObject("arcs", "T-mesh arcs", true, wideLines(pairs(s.arcs), "#2b3340", 2, resolution), "#2b3340");
   } else uniforms.coloured.value = false;
   if ((report.singularities || []).length > 0)
-    addObject("singularities", "Singularities", true, singularityBalls(radius / 70));
+    addObject("singularities", "Singularities", true,
+              markers(new THREE.SphereBufferGeometry(radius / 70, 20, 14), report.singularities));
+  if (corners.length > 0) {
+    const side = radius / 45;
+    addObject("corners", "Corners of the boundary", true, markers(new THREE.BoxBufferGeometry(side, side, side), corners));
+  }
   for (const letter of ["a", "b"])
     if ((model.loops || []).some(l => l.name[0] === letter))
       addObject("loops_" + letter, loopLabel(letter), false, loopLines(letter, resolution), loopColours[letter]);
