@@ -13,6 +13,7 @@
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <zlib.h>
 
@@ -64,6 +65,9 @@ std::string notes_of(const std::string& name, const std::string& contents)
   return all;
 }
 
+std::vector<Surface_component> components(const std::string& name, const std::string& contents)
+{ return read_surface_components(written(name, contents)); }
+
 #define CHECK_REFUSED(name, contents, part) CHECK_THROWS(read(name, contents), Unusable_surface_error, part)
 
 const std::string four_points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
@@ -71,6 +75,12 @@ const std::string tetrahedron = "OFF\n4 4 0\n" + four_points + "3 0 2 1\n3 0 1 3
 const std::string cube =
   "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
   "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+
+const std::string one_triangle =
+  R"({"triangles":[[0,1,2]],"opposite":[[[-1,-1],[-1,-1],[-1,-1]]],"lengths":[[1,1,1]]})";
+const std::string two_spheres_json =
+  R"({"triangles":[[0,1,2],[0,2,1],[3,4,5],[3,5,4]],"opposite":[[[1,2],[1,1],[1,0]],[[0,2],[0,1],[0,0]],)"
+  R"([[3,2],[3,1],[3,0]],[[2,2],[2,1],[2,0]]],"lengths":[[1,1,1],[1,1,1],[1,1,1],[1,1,1]]})";
 
 std::string replaced(std::string text, const std::string& what, const std::string& by)
 {
@@ -196,11 +206,11 @@ void check_json()
   CHECK_REFUSED("b.json", replaced(good, "[[1,1,1]", "[[1,1,5]"), "another length");
   CHECK_REFUSED("b.json", replaced(good, "[[1,2]", "[[1,1]"), "not glued to exactly one other edge");
   CHECK_REFUSED("b.json", replaced(good, "[[1,2]", "[[-1,2]"), "not an index below 2");
-  CHECK_REFUSED("open.json", R"({"triangles":[[0,1,2]],"opposite":[[[-1,-1],[-1,-1],[-1,-1]]],"lengths":[[1,1,1]]})",
-                "surfaces with boundary are not supported yet: edge 0 of triangle 0 is glued to nothing");
-  CHECK_REFUSED("two.json", R"({"triangles":[[0,1,2],[0,2,1],[3,4,5],[3,5,4]],"opposite":[[[1,2],[1,1],[1,0]],)"
-    R"([[0,2],[0,1],[0,0]],[[3,2],[3,1],[3,0]],[[2,2],[2,1],[2,0]]],"lengths":[[1,1,1],[1,1,1],[1,1,1],[1,1,1]]})",
-    "the surface has 2 components: vertex 3");
+  CHECK_REFUSED("b.json", R"({"triangles":[],"opposite":[],"lengths":[]})", "the surface has no triangle");
+  const Intrinsic_triangulation triangle = read("open.json", one_triangle);
+  CHECK_EQUAL(structural_defect(triangle), "");
+  CHECK_EQUAL(triangle.number_of_boundary_curves(), 1);
+  CHECK_REFUSED("two.json", two_spheres_json, "the surface has 2 components: vertex 3 is not connected with the first face;");
 }
 
 // ---- VTP in all its encodings
@@ -453,13 +463,132 @@ void check_refusals()
   CHECK_REFUSED("t.off", replaced(tetrahedron, "3 0 3 2", "3 3 1 2"), "face 3 at (0, 0, 1) has the same corners as face 2");
   CHECK_REFUSED("t.off", replaced(tetrahedron, "3 0 2 1", "3 0 1 2"),
     "the faces 0 and 1 are oriented against each other at the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0)");
-  CHECK_REFUSED("open.off", "OFF\n4 3 0\n" + four_points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n",
-    "surfaces with boundary are not supported yet: the edge from vertex 0 at (0, 0, 0) to vertex 2 at (0, 1, 0)");
   CHECK_REFUSED("page.off", "OFF\n5 5 0\n" + four_points + "1 1 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n",
     "the edge from vertex 0 at (0, 0, 0) to vertex 1 at (1, 0, 0) has 3 faces");
   CHECK_REFUSED("fan.off", "OFF\n7 8 0\n" + four_points + "-1 0 0\n0 -1 0\n0 0 -1\n"
     "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 4 5\n3 0 6 4\n3 4 6 5\n3 0 5 6\n",
     "the faces at vertex 0 at (0, 0, 0) form more than one fan");
+  // two fans, of two faces each and of one and two, and a fan beside a circle
+  const std::string pinched = "the faces at vertex 2 at (0, 1, 0) form more than one fan";
+  CHECK_REFUSED("fans.off", "OFF\n7 3 0\n" + four_points + "2 1 0\n2 2 0\n2 3 0\n3 0 1 2\n3 2 4 5\n3 2 5 6\n", pinched);
+  CHECK_REFUSED("fans.off", "OFF\n7 3 0\n" + four_points + "2 1 0\n2 2 0\n2 3 0\n3 2 4 5\n3 2 5 6\n3 2 0 1\n", pinched);
+  CHECK_REFUSED("fans.off", "OFF\n6 5 0\n" + four_points + "2 1 0\n2 2 0\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 2 4 5\n",
+    pinched);
+}
+
+void check_boundary()
+{
+  const auto curves = [](const std::string& name, const std::string& contents, std::size_t vertices) {
+    const Intrinsic_triangulation t = read(name, contents);
+    CHECK_EQUAL(structural_defect(t), "");
+    CHECK_EQUAL(t.number_of_vertices(), vertices);
+    return t.number_of_boundary_curves();
+  };
+  const std::string open = "OFF\n4 3 0\n" + four_points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n";
+  CHECK_EQUAL(curves("open.off", open, 4), 1);
+  CHECK_EQUAL(notes_of("open.off", open), "");   // it encloses no volume that could be negative
+  const std::string inside_out = "OFF\n4 3 0\n" + four_points + "3 0 1 2\n3 0 3 1\n3 1 3 2\n";
+  CHECK_EQUAL(notes_of("open.off", inside_out), "");
+  CHECK_EQUAL(curves("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3), 1);
+  // the faces of the first vertex are listed from both ends of its fan
+  CHECK_EQUAL(curves("fan.off", "OFF\n6 4 0\n0 0 0\n2 0 0\n2 1 0\n1 2 0\n0 2 0\n-1 1 0\n"
+                                "3 0 2 3\n3 0 4 5\n3 0 1 2\n3 0 3 4\n", 6), 1);
+  CHECK_EQUAL(curves("tube.off", replaced(replaced(replaced(cube, "8 6 0", "8 4 0"), "4 0 3 2 1\n", ""),
+                                          "4 4 5 6 7\n", ""), 8), 2);
+  for (int holes = 0; holes <= 4; ++holes) {
+    const std::string path = (folder.path / "plate.ply").string();
+    const Mesh mesh = plate(holes, 14);
+    CHECK(CGAL::IO::write_polygon_mesh(path, mesh, CGAL::parameters::use_binary_mode(true)));
+    std::vector<std::string> notes;
+    const Intrinsic_triangulation t = read_surface(path, notes);
+    CHECK_EQUAL(t.number_of_boundary_curves(), holes + 1);
+    CHECK_EQUAL(t.genus(), 0);
+    CHECK(t.number_of_faces() == mesh.number_of_faces() && notes.empty());
+  }
+}
+
+struct Off_file
+{
+  std::vector<std::string> points, faces;
+
+  std::string text() const
+  {
+    std::string all = "OFF\n" + std::to_string(points.size()) + ' ' + std::to_string(faces.size()) + " 0\n";
+    for (const std::string& line : points) all += line + '\n';
+    for (const std::string& line : faces) all += line + '\n';
+    return all;
+  }
+};
+
+void check_components()
+{
+  // vertices and faces of two tetrahedra and a triangle, shuffled, and a vertex without a face
+  const Off_file mixed{{"0 0 0", "5 0 0", "1 0 0", "6 0 0", "9 9 9", "0 1 0", "5 1 0", "0 0 1", "5 0 1", "0 0 3", "1 0 3", "0 1 3"},
+                       {"3 9 10 11", "3 1 6 3", "3 0 5 2", "3 1 3 8", "3 0 2 7", "3 3 6 8", "3 2 5 7", "3 1 8 6", "3 0 7 5"}};
+  CHECK_REFUSED("mixed.off", mixed.text(), "the surface has 3 components: vertex 1 at (5, 0, 0)");
+  const std::vector<Surface_component> three = components("mixed.off", mixed.text());
+  CHECK_EQUAL(three.size(), 3u);
+  for (int i = 0; i < 2; ++i) check_sphere(*three[i].surface, 4, 4);
+  CHECK_EQUAL(three[2].surface->number_of_boundary_curves(), 1);
+  CHECK_EQUAL(three[2].surface->number_of_faces(), 1u);
+  // as large as each other: in the order of their first faces, each as if it were alone
+  const std::vector<Point_3> points{{5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 0, 1}};
+  const Intrinsic_triangulation alone = read("alone.off", "OFF\n4 4 0\n5 0 0\n6 0 0\n5 1 0\n5 0 1\n"
+                                                          "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+  const Intrinsic_triangulation& first = *three[0].surface;
+  for (Vertex v : first.vertices()) CHECK(first.mesh().point(v) == points[v]);
+  for (Halfedge h : alone.halfedges()) CHECK(first.source(h) == alone.source(h) && first.face(h) == alone.face(h));
+  CHECK(three[1].surface->mesh().point(Vertex(3)) == Point_3(0, 0, 1));
+  for (const Surface_component& c : three) CHECK(c.notes.empty() && c.refusal.empty());
+
+  // a flat face, and an edge with three faces, spoil only their own component
+  Off_file spoilt = mixed;
+  spoilt.points[11] = "2 0 3";
+  const std::vector<Surface_component> flat = components("flat.off", spoilt.text());
+  CHECK(flat[0].surface && flat[1].surface && !flat[2].surface);
+  CHECK(flat[2].refusal.find("face 0 at (0, 0, 3) has no area") == 0);
+  CHECK(flat[2].vertices == 3 && flat[2].faces == 1);
+  spoilt = mixed;
+  spoilt.faces.push_back("3 1 3 5");   // three faces at an edge, and the tetrahedra are one component
+  const std::vector<Surface_component> page = components("page.off", spoilt.text());
+  CHECK_EQUAL(page.size(), 2u);
+  CHECK(page[0].refusal.find("has 3 faces") != std::string::npos && page[1].surface);
+  spoilt.faces.back() = "3 1 3 12";
+  CHECK_THROWS(components("index.off", spoilt.text()), Unusable_surface_error, "refers to a vertex that does not exist");
+  CHECK_THROWS(components("none.off", "OFF\n0 0 0\n"), Unusable_surface_error, "none.off: the surface has no face");
+
+  // equal points: two closed tetrahedra that touch stay two, triangles of an open soup are joined
+  const std::string touching = "OFF\n8 8 0\n" + four_points + "0 0 0\n-1 0 0\n0 -1 0\n0 0 -1\n"
+    "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 4 5 6\n3 4 7 5\n3 5 7 6\n3 4 6 7\n";
+  CHECK_EQUAL(components("touching.off", touching).size(), 2u);
+  Mesh two = torus(2, 1, 12, 6), other = bumpy_sphere(1);
+  for (Vertex v : other.vertices()) other.point(v) = other.point(v) + Vector_3(9, 0, 0);
+  CGAL::copy_face_graph(other, two);
+  Off_file soup;
+  for (Face f : two.faces()) {
+    const std::size_t n = soup.points.size();
+    for (Vertex v : two.vertices_around_face(two.halfedge(f))) {
+      std::ostringstream point;
+      point.precision(17);
+      point << two.point(v);
+      soup.points.push_back(point.str());
+    }
+    soup.faces.push_back("3 " + std::to_string(n) + ' ' + std::to_string(n + 1) + ' ' + std::to_string(n + 2));
+  }
+  const std::vector<Surface_component> joined = components("soup.off", soup.text());
+  CHECK_EQUAL(joined.size(), 2u);
+  CHECK(joined[0].surface->genus() == 1 && joined[1].surface->genus() == 0);
+  CHECK_EQUAL(joined[0].surface->number_of_vertices(), 72u);
+  CHECK_EQUAL(joined[0].vertices, 3 * 144u);
+  CHECK_EQUAL(joined[0].notes.size(), 2u);   // merged, and the others dropped
+  CHECK(joined[0].notes[0].find(std::to_string(3 * 144 - 72) + " vertices had the same coordinates") == 0);
+
+  const std::vector<Surface_component> glued = components("two.json", two_spheres_json);
+  CHECK_EQUAL(glued.size(), 2u);
+  for (const Surface_component& c : glued) check_sphere(*c.surface, 3, 2);
+  CHECK(glued[1].vertices == 3 && glued[1].faces == 2);
+  CHECK_THROWS(components("b.json", R"({"triangles":[],"opposite":[],"lengths":[]})"), Unusable_surface_error,
+               "the surface has no triangle");
 }
 
 // Whatever the bytes, reading ends with a surface or with a refusal.
@@ -467,11 +596,17 @@ void check_broken_bytes(const std::string& name, const std::string& good)
 {
   std::mt19937 random(7);
   const auto survives = [&](const std::string& contents) {
+    bool sound = true;
     try {
-      return structural_defect(read(name, contents)).empty();
+      sound = structural_defect(read(name, contents)).empty();
     } catch (const Unusable_surface_error&) {
-      return true;
     }
+    try {
+      for (const Surface_component& c : components(name, contents))
+        sound = sound && c.surface.has_value() == c.refusal.empty() && (!c.surface || structural_defect(*c.surface).empty());
+    } catch (const Unusable_surface_error&) {
+    }
+    return sound;
   };
   for (std::size_t n = 0; n < good.size(); n += 1 + good.size() / 200) CHECK(survives(good.substr(0, n)));
   for (int i = 0; i < 300; ++i) {
@@ -512,6 +647,8 @@ int main()
   check_vtp();
   check_vtp_refusals();
   check_refusals();
+  check_boundary();
+  check_components();
   check_broken_files();
   return Quartic_test::result();
 }

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Polygon_soup.h"
+#include "surface_components.h"
 
 #include <CGAL/Quartic_differentials/IO/read_surface.h>
 #include <CGAL/Quartic_differentials/IO/surface_json.h>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -25,11 +27,15 @@ namespace Quartic_differentials {
 
 namespace {
 
+const std::size_t none = std::numeric_limits<std::size_t>::max();
+
 // A side of a polygon: the corners `corner` and `corner` + 1 of `face`.
 struct Side
 {
-  std::size_t face, corner;
+  std::size_t face = none, corner = 0;
 };
+
+bool is_border(Side opposite) { return opposite.face == none; }
 
 std::string text(const Point_3& p)
 {
@@ -96,13 +102,17 @@ bool has_boundary(const Polygon_soup& s)
   return found;
 }
 
-void check_corners(const Polygon_soup& s)
+void check_coordinates(const Polygon_soup& s)
 {
-  if (s.points.empty() || s.polygons.empty()) throw Unusable_surface_error("the surface has no face");
   for (std::size_t v = 0; v < s.points.size(); ++v)
     for (int i = 0; i < 3; ++i)
       if (!std::isfinite(s.points[v][i]))
         throw Unusable_surface_error(vertex_text(s, v) + " has a coordinate that is not finite");
+}
+
+void check_corners(const Polygon_soup& s)
+{
+  if (s.points.empty() || s.polygons.empty()) throw Unusable_surface_error("the surface has no face");
   for (std::size_t f = 0; f < s.polygons.size(); ++f) {
     const auto& p = s.polygons[f];
     for (std::size_t v : p)
@@ -155,7 +165,7 @@ void check_faces(const Polygon_soup& s)
                                    + std::to_string(sorted[i - 1].second));
 }
 
-// The side that each side is glued to, if the polygons form a closed oriented surface edge by edge.
+// The side that each side is glued to, on the boundary none, if the polygons form an oriented surface edge by edge.
 std::vector<std::vector<Side>> glue(const Polygon_soup& s)
 {
   std::vector<std::vector<Side>> opposite;
@@ -168,16 +178,32 @@ std::vector<std::vector<Side>> glue(const Polygon_soup& s)
         + " are oriented against each other at the " + edge_text(s, x[0]));
   });
   for_each_edge(s, sides, [&](const Side* x, std::size_t n) {
-    if (n == 1)
-      throw Unusable_surface_error("surfaces with boundary are not supported yet: the " + edge_text(s, x[0])
-                                   + " has only one face");
+    if (n == 1) return;
     opposite[x[0].face][x[0].corner] = x[1];
     opposite[x[1].face][x[1].corner] = x[0];
   });
   return opposite;
 }
 
-// The faces at every vertex must form one circle.
+// the number of faces one meets when going round the beginning of a side: in a circle, or on both hands to the boundary
+std::size_t faces_around(const Polygon_soup& s, const std::vector<std::vector<Side>>& opposite, Side leaving)
+{
+  const auto across = [&](Side x) { return opposite[x.face][x.corner]; };
+  std::size_t n = 1;
+  for (Side x = across(leaving); !is_border(x); x = across(x)) {   // comes into the vertex ...
+    x.corner = (x.corner + 1) % s.polygons[x.face].size();         // ... and the next side of that face leaves it
+    if (x.face == leaving.face && x.corner == leaving.corner) return n;
+    ++n;
+  }
+  const auto entering = [&](Side x) {
+    const std::size_t size = s.polygons[x.face].size();
+    return Side{x.face, (x.corner + size - 1) % size};
+  };
+  for (Side x = across(entering(leaving)); !is_border(x); x = across(entering(x))) ++n;
+  return n;
+}
+
+// The faces at every vertex must form one circle, or one fan on the boundary.
 void check_vertices(const Polygon_soup& s, const std::vector<std::vector<Side>>& opposite)
 {
   std::vector<std::size_t> corners(s.points.size(), 0);
@@ -189,51 +215,21 @@ void check_vertices(const Polygon_soup& s, const std::vector<std::vector<Side>>&
       const std::size_t v = s.polygons[f][c];
       if (visited[v]) continue;
       visited[v] = true;
-      std::size_t circle = 0;
-      Side x{f, c};
-      do {
-        x = opposite[x.face][x.corner];                       // comes into v ...
-        x.corner = (x.corner + 1) % s.polygons[x.face].size();   // ... and the next side of that face leaves it
-        ++circle;
-      } while (x.face != f || x.corner != c);
-      if (circle < corners[v])
+      if (faces_around(s, opposite, {f, c}) < corners[v])
         throw Unusable_surface_error("the faces at " + vertex_text(s, v) + " form more than one fan");
     }
 }
 
-// the component of every face, numbered in the order of their first faces
-template <class Opposite>
-std::vector<int> components_of(const Opposite& opposite)
+// \param component of every face
+template <class Place>
+void check_connected(const std::vector<std::size_t>& component, Place place)
 {
-  std::vector<int> component(opposite.size(), -1);
-  int count = 0;
-  for (std::size_t first = 0; first < opposite.size(); ++first) {
-    if (component[first] >= 0) continue;
-    std::vector<std::size_t> pending{first};
-    component[first] = count;
-    while (!pending.empty()) {
-      const std::size_t f = pending.back();
-      pending.pop_back();
-      for (const auto& [g, side] : opposite[f])
-        if (component[g] < 0) {
-          component[g] = count;
-          pending.push_back(g);
-        }
-    }
-    ++count;
-  }
-  return component;
-}
-
-template <class Opposite, class Place>
-void check_connected(const Opposite& opposite, Place place)
-{
-  const std::vector<int> component = components_of(opposite);
-  const auto second = std::find(component.begin(), component.end(), 1);
+  const auto second = std::find(component.begin(), component.end(), 1u);
   if (second == component.end()) return;
-  const int count = *std::max_element(component.begin(), component.end()) + 1;
+  const std::size_t count = *std::max_element(component.begin(), component.end()) + 1;
   throw Unusable_surface_error("the surface has " + std::to_string(count) + " components: "
-                               + place(second - component.begin()) + " is not connected with the first face");
+                               + place(second - component.begin()) + " is not connected with the first face; "
+                               "`quartic run --components each` runs them one by one");
 }
 
 void drop_unused_vertices(Polygon_soup& s, std::vector<std::string>& notes)
@@ -312,29 +308,24 @@ double six_times_volume(const Intrinsic_triangulation& t)
 Intrinsic_triangulation embedded_surface(Polygon_soup s, std::vector<std::string>& notes)
 {
   check_corners(s);
+  check_coordinates(s);
   if (has_boundary(s)) merge_equal_points(s, notes);
   check_faces(s);
   const auto opposite = glue(s);
   check_vertices(s, opposite);
-  check_connected(opposite, [&](std::size_t f) { return vertex_text(s, s.polygons[f][0]); });
+  check_connected(components(s), [&](std::size_t f) { return vertex_text(s, s.polygons[f][0]); });
   drop_unused_vertices(s, notes);
   Intrinsic_triangulation t(triangle_mesh(s, notes));
   check_lengths(t);
-  if (six_times_volume(t) < 0)
+  if (!t.has_boundary() && six_times_volume(t) < 0)
     notes.push_back("the surface is inside-out (its volume is negative); it is used as it is");
   return t;
 }
 
-Intrinsic_triangulation glued_surface(const std::string& contents)
+Intrinsic_triangulation glued_surface(const Glued_triangles& s)
 {
-  const Glued_triangles s = read_surface_json(contents);
   Intrinsic_triangulation t(s);
-  for (std::size_t f = 0; f < s.triangles.size(); ++f)
-    for (int e = 0; e < 3; ++e)
-      if (s.opposite[f][e][0] < 0)
-        throw Unusable_surface_error("surfaces with boundary are not supported yet: edge " + std::to_string(e)
-                                     + " of triangle " + std::to_string(f) + " is glued to nothing");
-  check_connected(s.opposite, [&](std::size_t f) { return "vertex " + std::to_string(s.triangles[f][0]); });
+  check_connected(components(s), [&](std::size_t f) { return "vertex " + std::to_string(s.triangles[f][0]); });
   check_lengths(t);
   return t;
 }
@@ -362,18 +353,68 @@ std::string format_of(const std::string& path)
   throw Unusable_surface_error("the extension '" + extension + "' is not one of .off, .obj, .ply, .stl, .vtp, .json");
 }
 
+// A part by itself, used if it can be.
+template <class Read>
+Surface_component component(std::size_t vertices, std::size_t faces, Read read)
+{
+  Surface_component c;
+  c.vertices = vertices;
+  c.faces = faces;
+  try { c.surface = read(c.notes); }
+  catch (const Unusable_surface_error& e) { c.refusal = e.what(); }
+  return c;
+}
+
+std::vector<Surface_component> glued_components(const Glued_triangles& s)
+{
+  if (s.triangles.empty()) throw Unusable_surface_error("the surface has no triangle");
+  std::vector<Surface_component> result;
+  for (const Glued_triangles& part : parts(s, components(s)))
+    result.push_back(component(number_of_vertices(part), part.triangles.size(), [&](auto&) { return glued_surface(part); }));
+  return result;
+}
+
+std::vector<Surface_component> embedded_components(const Polygon_soup& s)
+{
+  check_corners(s);
+  std::vector<Surface_component> result;
+  for (Polygon_soup& part : parts(s, components_up_to_equal_points(s)))
+    result.push_back(component(part.points.size(), part.polygons.size(),
+                               [&](auto& notes) { return embedded_surface(std::move(part), notes); }));
+  return result;
+}
+
+// Calls action(contents, format) for a file; what it refuses is said with the file's name.
+template <class Action>
+auto with_contents_of(const std::string& path, Action action)
+{
+  try {
+    std::string contents = contents_of(path);
+    return action(std::move(contents), format_of(path));
+  } catch (const Unusable_surface_error& e) {
+    throw Unusable_surface_error(path + ": " + e.what());
+  }
+}
+
 } // namespace
 
 Intrinsic_triangulation read_surface(const std::string& path, std::vector<std::string>& notes)
 {
-  try {
-    std::string contents = contents_of(path);
-    const std::string format = format_of(path);
-    if (format == "json") return glued_surface(contents);
+  return with_contents_of(path, [&](std::string contents, const std::string& format) {
+    if (format == "json") return glued_surface(read_surface_json(contents));
     return embedded_surface(parse_polygon_soup(std::move(contents), format), notes);
-  } catch (const Unusable_surface_error& e) {
-    throw Unusable_surface_error(path + ": " + e.what());
-  }
+  });
+}
+
+std::vector<Surface_component> read_surface_components(const std::string& path)
+{
+  std::vector<Surface_component> result = with_contents_of(path, [](std::string contents, const std::string& format) {
+    if (format == "json") return glued_components(read_surface_json(contents));
+    return embedded_components(parse_polygon_soup(std::move(contents), format));
+  });
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Surface_component& a, const Surface_component& b) { return a.faces > b.faces; });
+  return result;
 }
 
 } } // namespace CGAL::Quartic_differentials
