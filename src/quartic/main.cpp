@@ -3,36 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands.h"
-
-#include <CGAL/Quartic_differentials/exceptions.h>
+#include "exit_status.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <iostream>
-#include <new>
 #include <string>
 
-namespace QD = CGAL::Quartic_differentials;
-
 namespace {
-
-enum Exit_status { done = 0, usage = 1, unusable_input = 2, numerical_failure = 3 };
-
-// What is quoted from files may be long, and may hold line ends and codes that control terminals.
-std::string one_line(std::string text)
-{
-  const std::size_t most = 500;
-  if (text.size() > most) text = text.substr(0, most) + " ...";
-  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
-  return text;
-}
-
-int failed(const std::string& message, Exit_status status)
-{
-  std::cerr << "quartic: " << one_line(message) << std::endl;
-  return status;
-}
 
 // what is typed into a POSIX shell to get this argument
 std::string quoted(const std::string& argument)
@@ -78,17 +56,9 @@ int main(int argc, char** argv)
     return done;
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? done : usage;
-  } catch (const QD::Unusable_surface_error& e) {
-    return failed(e.what(), unusable_input);
-  } catch (const QD::Infeasible_divisor_error& e) {
-    return failed(e.what(), unusable_input);
-  } catch (const QD::Numerical_error& e) {
-    return failed(e.what(), numerical_failure);
-  } catch (const QD::Error& e) {          // a file that cannot be written
-    return failed(e.what(), usage);
-  } catch (const std::bad_alloc&) {
-    return failed("there is not enough memory for this", numerical_failure);
-  } catch (const std::exception& e) {     // an error in the program
-    return failed(e.what(), numerical_failure);
+  } catch (...) {
+    const Failure failure = failure_of(std::current_exception());
+    std::cerr << "quartic: " << one_line(failure.message) << std::endl;
+    return failure.status;
   }
 }

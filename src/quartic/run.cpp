@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands.h"
+#include "components.h"
 #include "option_checks.h"
 #include "page.h"
 #include "page_model.h"
@@ -31,10 +32,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace CGAL::Quartic_differentials;
 using CGAL::Quartic_differentials::internal::write_file;
@@ -47,6 +53,7 @@ struct Run_options
   std::string                  mesh, folder, singularities;
   std::string                  command_line;
   bool                         quiet = false, intrinsic = false, html = true, patches_obj = false;
+  bool                         each_component = false;
   Quartic_differential_options pipeline;
   Quad_options                 quads;
   std::vector<std::string>     quad_formats{"obj", "vtu"}, surface_formats{"obj"};
@@ -59,7 +66,25 @@ const char* const output_files[] = {
   "quads.obj", "quads.off", "quads.ply", "quads.vtu", "quads.png", "splines.xml", "splines.json", "splines.vtu",
   "tmesh.tsp", "picture_checkerboard.png", "picture_tmesh.png", "picture_quads.png", "picture_wireframe.png",
   "picture_loops.png",
-  "report.json", "report.html"};
+  "report.json", "report.html", "components.json"};
+
+void remove_results(const fs::path& folder)
+{
+  std::error_code error;
+  for (const std::string name : output_files)
+    for (const fs::path& file : {folder / name, folder / (name + ".part")}) fs::remove(file, error);
+}
+
+// The folders of components, but not links.
+std::vector<fs::path> component_folders(const fs::path& folder)
+{
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (is_component_folder(entry.path().filename()) && entry.symlink_status().type() == fs::file_type::directory)
+      found.push_back(entry.path());
+  return found;
+}
 
 // Makes the folder and removes what an earlier run left there, whole or not, so that results of two runs never mix.
 void prepare_folder(const fs::path& folder)
@@ -67,8 +92,11 @@ void prepare_folder(const fs::path& folder)
   std::error_code error;
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder)) throw Error("the output folder " + folder.string() + " cannot be made");
-  for (const std::string name : output_files)
-    for (const fs::path& file : {folder / name, folder / (name + ".part")}) fs::remove(file, error);
+  remove_results(folder);
+  for (const fs::path& component : component_folders(folder)) {
+    remove_results(component);
+    fs::remove(component, error);   // if nothing else is in it
+  }
 }
 
 // flat.obj is always there, with its texture, for `quartic verify` and for scripts
@@ -156,7 +184,8 @@ std::optional<Divisor> divisor_from_file(const std::string& path, const Intrinsi
   return read_singularities(in, input);
 }
 
-void run(const Run_options& options)
+// \param read takes the notes of what was done to the surface
+void run(const Run_options& options, const std::function<Intrinsic_triangulation(std::vector<std::string>&)>& read)
 {
   Progress progress(options.quiet);
   Run_facts facts;
@@ -169,7 +198,7 @@ void run(const Run_options& options)
   std::optional<Divisor> singularities;
   {
     const internal::Timed_step step(timed, "read");
-    input = read_surface(options.mesh, facts.notes);
+    input = read(facts.notes);
     singularities = divisor_from_file(options.singularities, input);
   }
   facts.input = &input;
@@ -209,6 +238,25 @@ void run(const Run_options& options)
   if (failure) std::rethrow_exception(failure);
 }
 
+void run(const Run_options& options)
+{
+  if (!options.each_component) {
+    run(options, [&](std::vector<std::string>& notes) { return read_surface(options.mesh, notes); });
+    return;
+  }
+  std::vector<Surface_component> components = read_surface_components(options.mesh);
+  prepare_folder(options.folder);
+  run_components(options.mesh, std::move(components), options.folder, options.quiet,
+                 [&](Surface_component& component, const std::string& folder) {
+    Run_options alone = options;
+    alone.folder = folder;
+    run(alone, [&](std::vector<std::string>& notes) {
+      notes = component.notes;
+      return std::move(*component.surface);
+    });
+  });
+}
+
 } // namespace
 
 void add_run(CLI::App& app, const std::string& command_line)
@@ -220,9 +268,15 @@ void add_run(CLI::App& app, const std::string& command_line)
                                              "glued triangles (.json)")->required()->check(some_name());
   command->add_option("-o,--output", options->folder, "Folder for the results; made if it is not there")
          ->required()->check(some_name());
-  command->add_option("--singularities", options->singularities,
+  CLI::Option* singularities = command->add_option("--singularities", options->singularities,
                       "File with the singularities to start from, lines 'x y z order [pinned]' (order = valence - 4)")
          ->check(some_name());
+  const std::map<std::string, bool> components{{"one", false}, {"each", true}};
+  command->add_option("--components", options->each_component,
+                      "What is done with a mesh of several components: it is refused unless there is 'one', or 'each' is "
+                      "run by itself into the folders component_0, component_1, ..., the largest first")
+         ->transform(CLI::CheckedTransformer(components, CLI::ignore_case).description(""))
+         ->type_name("one|each")->default_str("one")->excludes(singularities);
   Singularity_choice_options& choice = options->pipeline.choice;
   command->add_option("--distortion", choice.distortion,
                       "Choose as few singularities as this area distortion allows: the mean square of the log of the "

@@ -7,15 +7,13 @@
 // the machine are the last bits of the linear algebra, on other types of processors (METHOD, "Output files").
 
 #include "check.h"
+#include "lasting_report.h"
 #include "run_program.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -29,16 +27,6 @@ const Program_folder folder;
 const std::string    options = " -q --quads 300 --splines --pareto --intrinsic --quad-format off,ply,vtu"
                             " --surface-format ply,vtp,vtu,glb --tmesh-obj";
 
-// the report without times, memory and the name of the mesh
-nlohmann::json lasting_report(const std::string& run)
-{
-  const auto lasts = [](int, nlohmann::json::parse_event_t event, const nlohmann::json& key) {
-    static const std::set<std::string> others{"timings", "seconds", "peak_memory_bytes", "mesh"};
-    return event != nlohmann::json::parse_event_t::key || others.count(key) == 0;
-  };
-  return nlohmann::json::parse(contents(folder / run / "report.json"), lasts);
-}
-
 void check_same(const std::string& run)
 {
   std::size_t files = 0;
@@ -46,7 +34,7 @@ void check_same(const std::string& run)
     const std::string name = file.path().filename();
     ++files;
     if (name == "report.html") continue;          // holds the report, and the command
-    const bool same = name == "report.json" ? lasting_report(run) == lasting_report("first")
+    const bool same = name == "report.json" ? lasting_report(contents(folder / run / name)) == lasting_report(contents(file.path()))
                                             : contents(folder / run / name) == contents(file.path());
     if (!same) std::cerr << run << ": " << name << " differs" << std::endl;
     CHECK(same);
