@@ -26,6 +26,7 @@
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
 #include <CGAL/Quartic_differentials/patch_mesh.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
+#include <CGAL/Quartic_differentials/split_obtuse_at_boundary.h>
 
 #include <CLI/CLI.hpp>
 
@@ -199,6 +200,9 @@ void run(const Run_options& options, const std::function<Intrinsic_triangulation
   {
     const internal::Timed_step step(timed, "read");
     input = read(facts.notes);
+    if (input.has_boundary())
+      if (const std::size_t added = split_obtuse_at_boundary(input); added > 0)
+        facts.notes.push_back(std::to_string(added) + " vertices were added on the boundary, opposite obtuse angles");
     singularities = divisor_from_file(options.singularities, input);
   }
   facts.input = &input;
@@ -264,7 +268,7 @@ void add_run(CLI::App& app, const std::string& command_line)
   auto options = std::make_shared<Run_options>();
   options->command_line = command_line;
   CLI::App* command = app.add_subcommand("run", "Compute singularities, flat metric, quartic differential and T-mesh of a mesh");
-  command->add_option("MESH", options->mesh, "Closed triangle or polygon mesh (.off, .obj, .ply, .stl, .vtp), or a surface of "
+  command->add_option("MESH", options->mesh, "Triangle or polygon mesh (.off, .obj, .ply, .stl, .vtp), or a surface of "
                                              "glued triangles (.json)")->required()->check(some_name());
   command->add_option("-o,--output", options->folder, "Folder for the results; made if it is not there")
          ->required()->check(some_name());
