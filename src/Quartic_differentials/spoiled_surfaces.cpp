@@ -6,6 +6,7 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -54,6 +55,25 @@ Mesh with_slivers(Mesh mesh, double height, unsigned seed)
     const Point_3 on_edge = a + uniform(random, 0.2, 0.8) * (b - a);
     const auto in = CGAL::Euler::add_center_vertex(h, mesh);
     mesh.point(mesh.target(in)) = on_edge + height * (c - on_edge);
+  }
+  return mesh;
+}
+
+Mesh with_obtuse_boundary(Mesh mesh, double degrees, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<Mesh::Halfedge_index> inside;   // of the boundary edges
+  for (const auto h : mesh.halfedges())
+    if (mesh.is_border(mesh.opposite(h))) inside.push_back(h);
+  for (const auto h : inside) {
+    const Point_3 a = mesh.point(mesh.source(h)), b = mesh.point(mesh.target(h)), c = mesh.point(mesh.target(mesh.next(h)));
+    const auto half = (b - a) / 2, d = c - (a + half);
+    const double e2 = half.squared_length(), across = std::sqrt(d.squared_length() - (d * half) * (d * half) / e2);
+    // on the median, and on the circle of this inscribed angle over ab, whose centre is `below` the edge
+    const double below = std::sqrt(e2) / std::tan(CGAL_PI * (1 - uniform(random, 95, degrees) / 180));
+    const double part = (std::hypot(below * across, std::sqrt(d.squared_length() * e2)) - below * across) / d.squared_length();
+    const auto in = CGAL::Euler::add_center_vertex(h, mesh);
+    mesh.point(mesh.target(in)) = a + half + std::min(part, 0.5) * d;   // c may be obtuse itself
   }
   return mesh;
 }

@@ -5,11 +5,13 @@
 #include "commands.h"
 #include "option_checks.h"
 
+#include <CGAL/Quartic_differentials/IO/read_surface.h>
 #include <CGAL/Quartic_differentials/IO/surface_json.h>
 #include <CGAL/Quartic_differentials/branched_cover.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
 #include <CGAL/Quartic_differentials/internal/scientific.h>
+#include <CGAL/Quartic_differentials/sample_boundaries.h>
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
 #include <CGAL/Quartic_differentials/spoiled_surfaces.h>
 
@@ -36,17 +38,23 @@ namespace {
 
 struct Sample_options
 {
-  std::string kind, file, branch_points;
+  std::string kind, mesh, file, branch_points, shape = "round";
   int         genus = 2, resolution = 0, subdivisions = -1;   // out of range: the default of the kind
   double      R = 2, r = 1;
-  double      stretch = 1, noise = 0, slivers = 0;
+  int         holes = 0, disks = 0;
+  double      radius = 0.1;
+  std::vector<double> plane;
+  double      stretch = 1, noise = 0, slivers = 0, obtuse = 0;
   int         hub = 0;
   unsigned    seed = 1;
 };
 
 void say(const Sample_options& options, const Intrinsic_triangulation& t)
 {
-  std::cout << options.file << ": genus " << t.genus() << ", " << t.number_of_vertices() << " vertices, "
+  std::cout << options.file << ": genus " << t.genus() << ", ";
+  if (const int b = t.number_of_boundary_curves(); b > 0)
+    std::cout << b << (b == 1 ? " boundary curve, " : " boundary curves, ");
+  std::cout << t.number_of_vertices() << " vertices, "
             << t.number_of_faces() << " faces\n";
 }
 
@@ -91,6 +99,40 @@ void write_glued(const Sample_options& options)
   say(options, Intrinsic_triangulation(surface));
 }
 
+int resolution_of_plate(const Sample_options& options)
+{ return options.resolution > 0 ? options.resolution : options.shape == "round" ? 20 : 8; }
+
+// about the number of triangles before they are split, measured where it is not known; more than there are for `cover`
+double number_of_triangles(const Sample_options& options)
+{
+  const double g = options.genus, n = options.resolution > 0 ? options.resolution : options.kind == "torus" ? 60 : 8;
+  if (options.kind == "torus") return 2 * n * n * options.r / options.R;
+  if (options.kind == "chain") return 45 * (g + 1) * n * n;
+  if (options.kind == "ring") return (45 * (g + 1) + 2 * g * g) * n * n;
+  if (options.kind == "plate") return (options.shape == "round" ? 6 : 13.5) * std::pow(resolution_of_plate(options), 2);
+  return 8 * (g + 1) + 20;
+}
+
+// \param triangles before they are split
+void check_size(const Sample_options& options, double triangles)
+{
+  const double most = 2e7, n = std::ldexp(triangles, 2 * std::max(options.subdivisions, 0));
+  if (n > most)
+    throw Error("the surface would have about " + internal::scientific(n) + " triangles, more than "
+                + internal::scientific(most) + ": ask for a lower genus, resolution or number of subdivisions");
+}
+
+Mesh cut(const Sample_options& options)
+{
+  std::vector<std::string> notes;
+  const Intrinsic_triangulation input = read_surface(options.mesh, notes);
+  if (!input.is_embedded()) throw Unusable_surface_error(options.mesh + " is known by its edge lengths alone, it cannot be cut");
+  check_size(options, static_cast<double>(input.number_of_faces()));
+  Mesh mesh = input.mesh();
+  if (!options.plane.empty()) mesh = part_in_front(mesh, Vector_3(options.plane[0], options.plane[1], options.plane[2]));
+  return options.disks > 0 ? with_disks_cut_out(mesh, options.disks, options.radius, options.seed) : mesh;
+}
+
 Mesh embedded(const Sample_options& options)
 {
   const auto resolution = [&](int otherwise) { return options.resolution > 0 ? options.resolution : otherwise; };
@@ -99,6 +141,12 @@ Mesh embedded(const Sample_options& options)
   if (options.kind == "torus") {
     const int n = resolution(60), m = static_cast<int>(std::lround(n * options.r / options.R));
     mesh = torus(options.R, options.r, n, std::max(m, 3));
+  } else if (options.kind == "plate") {
+    const int n = resolution_of_plate(options);
+    mesh = options.shape == "round" ? plate(options.holes, n)
+                                    : plate(options.shape == "L" ? Plate_shape::l : Plate_shape::rectangle, options.holes, n);
+  } else if (options.kind == "cut") {
+    mesh = cut(options);
   } else {
     mesh = options.kind == "chain" ? handle_chain(options.genus, resolution(8)) : handle_ring(options.genus, resolution(8));
   }
@@ -112,37 +160,20 @@ Mesh spoiled(Mesh mesh, const Sample_options& options)
   if (options.noise > 0) mesh = noisy(std::move(mesh), options.noise, options.seed);
   if (options.hub > 0) mesh = with_hub(mesh, options.hub);
   if (options.slivers > 0) mesh = with_slivers(std::move(mesh), options.slivers, options.seed);
+  if (options.obtuse > 0) mesh = with_obtuse_boundary(std::move(mesh), options.obtuse, options.seed);
   return options.stretch == 1 ? mesh : stretched(std::move(mesh), options.stretch);
 }
 
 void write_embedded(const Sample_options& options)
 {
   Mesh mesh = spoiled(embedded(options), options);
-  const int digits = options.slivers > 0 ? 17 : 12;   // slivers need them all
+  const int digits = options.slivers > 0 || options.obtuse > 0 || options.kind == "cut" ? 17 : 12;   // thin triangles need them
   const std::filesystem::path file = options.file, part = file.stem().string() + ".part" + file.extension().string();
   internal::make_file(file.string(), (file.parent_path() / part).string(), [&](const std::string& name) {
     if (!CGAL::IO::write_polygon_mesh(name, mesh, CGAL::parameters::stream_precision(digits).verbose(false)))
       throw Error(options.file + " cannot be written: its name should end in .off, .obj, .ply or .stl, in a folder that exists");
   });
   say(options, Intrinsic_triangulation(std::move(mesh)));
-}
-
-// about the number of triangles before they are split, measured where it is not known; more than there are for `cover`
-double number_of_triangles(const Sample_options& options)
-{
-  const double g = options.genus, n = options.resolution > 0 ? options.resolution : options.kind == "torus" ? 60 : 8;
-  if (options.kind == "torus") return 2 * n * n * options.r / options.R;
-  if (options.kind == "chain") return 45 * (g + 1) * n * n;
-  if (options.kind == "ring") return (45 * (g + 1) + 2 * g * g) * n * n;
-  return 8 * (g + 1) + 20;
-}
-
-void check_size(const Sample_options& options)
-{
-  const double most = 2e7, n = std::ldexp(number_of_triangles(options), 2 * std::max(options.subdivisions, 0));
-  if (n > most)
-    throw Error("the surface would have about " + internal::scientific(n) + " triangles, more than "
-                + internal::scientific(most) + ": ask for a lower genus, resolution or number of subdivisions");
 }
 
 void check_usage(const Sample_options& options)
@@ -157,12 +188,16 @@ void check_usage(const Sample_options& options)
     throw Error("surfaces in space are written as .off, .obj, .ply or .stl");
   }
   if (options.kind == "torus" && !(options.r < options.R)) throw Error("a torus needs -r smaller than -R");
+  if ((options.kind == "cut") == options.mesh.empty()) throw Error("cut, and only cut, needs a MESH: quartic sample cut MESH ...");
+  if (options.kind == "cut" && options.disks == 0 && options.plane.empty()) throw Error("cut needs --disks or --plane");
+  if (options.kind == "plate" && options.shape == "round" && resolution_of_plate(options) < 12)
+    throw Error("a round plate needs -n 12 or more");
 }
 
 void sample(const Sample_options& options)
 {
   check_usage(options);
-  check_size(options);
+  if (options.kind != "cut") check_size(options, number_of_triangles(options));
   if (glued_kinds.count(options.kind)) write_glued(options);
   else write_embedded(options);
 }
@@ -172,7 +207,7 @@ void sample(const Sample_options& options)
 void add_sample(CLI::App& app)
 {
   auto options = std::make_shared<Sample_options>();
-  CLI::App* command = app.add_subcommand("sample", "Make a closed surface to try things on");
+  CLI::App* command = app.add_subcommand("sample", "Make a surface to try things on");
   command->add_option("KIND", options->kind,
     "sphere          a sphere with bumps (genus 0)\n"
     "torus           the torus of revolution (genus 1)\n"
@@ -181,14 +216,19 @@ void add_sample(CLI::App& app)
     "hyperelliptic   the curve y^2 = x^(2g+2) - 1, glued from four regular polygons (any genus >= 1)\n"
     "polygon         the curve y^2 = x (x^(2g) - 1): opposite sides of a regular 4g-gon are glued (any genus >= 1)\n"
     "l               the L of three unit squares, opposite sides glued (genus 2)\n"
-    "cover           the curve y^2 = (x - e1) (x - e2) ..., a double cover of the sphere; needs --branch")
-    ->required()->check(CLI::IsMember({"sphere", "torus", "chain", "ring", "hyperelliptic", "polygon", "l", "cover"}));
+    "cover           the curve y^2 = (x - e1) (x - e2) ..., a double cover of the sphere; needs --branch\n"
+    "plate           a flat plate with boundary, with --shape and --holes (genus 0)\n"
+    "cut             a MESH of your own with boundary: without --disks, or what is in front of a --plane")
+    ->required()->check(CLI::IsMember({"sphere", "torus", "chain", "ring", "hyperelliptic", "polygon", "l", "cover", "plate",
+                                       "cut"}));
+  command->add_option("MESH", options->mesh, "Mesh to cut (.off, .obj, .ply, .stl, .vtp)")->check(some_name());
   command->add_option("-o,--output", options->file,
                       "File to write: .off, .obj, .ply, .stl; .json for hyperelliptic, polygon, l, cover")->required();
   command->add_option("-g,--genus", options->genus, "Number of holes of chain, ring, hyperelliptic, polygon (2)")
          ->check(CLI::Range(0, 50));
   command->add_option("-n,--resolution", options->resolution,
-                      "Edges across the strip between two holes of chain and ring (8); edges round the axis of torus (60)")
+                      "Edges across the strip between two holes of chain and ring (8); edges round the axis of torus (60); rings of "
+                      "a round plate (20), squares along a unit of the others, whose sides are 2 and 3 (8)")
          ->check(CLI::Range(6, 1000));
   command->add_option("-s,--subdivisions", options->subdivisions,
                       "How often each triangle is split into four (sphere, polygon, l 4, hyperelliptic 3, otherwise 0); "
@@ -198,6 +238,17 @@ void add_sample(CLI::App& app)
   command->add_option("-r", options->r, "Radius of the circle that makes the torus (1)")->check(positive_number());
   command->add_option("--branch", options->branch_points,
                       "Branch points of cover, an even number: \"x,y;x,y;...\", x for a real one, inf for infinity");
+  command->add_option("--shape", options->shape, "Shape of plate; the holes of a round one are round, of the others square")
+         ->check(CLI::IsMember({"round", "rectangle", "L"}).description(""))->type_name("round|rectangle|L")
+         ->capture_default_str();
+  command->add_option("--holes", options->holes, "Number of holes of plate (0)")->check(CLI::Range(0, 4));
+  command->add_option("--disks", options->disks, "Number of disks that cut leaves out, spread over the mesh")
+         ->check(CLI::Range(1, 100));
+  command->add_option("--radius", options->radius, "Their radius, as a part of the square root of the area")
+         ->check(number_between(1e-6, 1))->capture_default_str();
+  command->add_option("--plane", options->plane,
+                      "Normal of the plane through the middle of the mesh in front of which cut leaves triangles")
+         ->expected(3)->delimiter(',')->check(number_between(-1e6, 1e6))->type_name("X,Y,Z");
   const std::string spoil = "To make it bad";
   command->add_option("--noise", options->noise, "Move every vertex at random by up to this part of the mean edge length")
          ->check(number_between(0, 10))->group(spoil);
@@ -208,6 +259,9 @@ void add_sample(CLI::App& app)
          ->check(number_between(1e-12, 0.5))->group(spoil);
   command->add_option("--stretch", options->stretch, "Stretch the surface along the x axis by this factor")
          ->check(positive_number())->group(spoil);
-  command->add_option("--seed", options->seed, "Seed of noise and slivers (1)")->group(spoil);
+  command->add_option("--obtuse-boundary", options->obtuse,
+                      "Split the triangles at the boundary so that angles opposite to it are obtuse, up to this many degrees")
+         ->check(number_between(95, 179.9))->group(spoil);
+  command->add_option("--seed", options->seed, "Seed of disks, noise, slivers and obtuse angles (1)");
   command->callback([options] { sample(*options); });
 }

@@ -62,6 +62,29 @@ void check_sample()
   check_failure("sample hyperelliptic -g 3 -o curve.off", 1, "name a .json file");
   check_failure("sample torus -R 1 -r 2 -o t.off", 1, "-r smaller than -R");
   check_failure("sample ring -o nowhere/t.off", 1, "cannot be written");
+
+  CHECK(contains(quartic("sample plate --holes 2 -o plate.off").out, "genus 0, 3 boundary curves"));
+  CHECK(contains(quartic("sample plate --shape rectangle -n 6 -s 1 -o plate.off").out,
+                 "genus 0, 1 boundary curve, 925 vertices, 1728 faces"));
+  CHECK(contains(quartic("sample plate --shape L --holes 1 -o plate.off").out, "genus 0, 2 boundary curves, 472 vertices"));
+  const std::string two_disks = quartic("sample cut chain.off --disks 2 -o cut.off").out;
+  CHECK(contains(two_disks, "genus 2, 2 boundary curves"));
+  CHECK(quartic("sample cut chain.off --disks 2 --seed 1 -o cut.off").out == two_disks);
+  CHECK(quartic("sample cut chain.off --disks 2 --seed 2 -o cut.off").out != two_disks);
+  CHECK(quartic("sample cut chain.off --disks 2 --radius 0.05 -o cut.off").out != two_disks);
+  CHECK(contains(quartic("sample cut torus.ply --plane 0,0,1 --obtuse-boundary 179 -o half.off").out,
+                 "genus 0, 2 boundary curves"));
+  check_failure("sample cut -o cut.off", 1, "needs a MESH");
+  check_failure("sample torus chain.off -o cut.off", 1, "needs a MESH");
+  check_failure("sample cut chain.off -o cut.off", 1, "needs --disks or --plane");
+  check_failure("sample cut missing.off --disks 1 -o cut.off", 2, "does not exist");
+  check_failure("sample cut curve.json --disks 1 -o cut.off", 2, "cannot be cut");
+  check_failure("sample cut chain.off --disks 90 -o cut.off", 2, "take a smaller radius");
+  check_failure("sample cut chain.off --plane 0,0 -o cut.off", 1, "--plane");
+  check_failure("sample cut chain.off --plane 0,0,0 -o cut.off", 2, "take another normal");
+  check_failure("sample cut chain.off --disks 1 -s 8 -o cut.off", 1, "triangles, more than");
+  check_failure("sample plate -n 8 -o plate.off", 1, "-n 12 or more");
+  check_failure("sample plate --holes 5 -o plate.off", 1, "--holes");
   check_failure("sample pyramid -o t.off", 1, "KIND");
 }
 
@@ -223,6 +246,7 @@ void check_refused_input()
 {
   std::ofstream(folder / "open.off") << "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";
   check_failure("run open.off -o refused", 2, "surfaces with boundary are not supported yet: this one has 1 boundary curve");
+  CHECK(!fs::exists(folder / "refused"));
   std::ofstream(folder / "pair.txt") << "3 0 0 1\n-3 0 0 -1\n";
   check_failure("run torus.ply -o pair --singularities pair.txt", 2, "genus 1");
   std::ofstream(folder / "degree.txt") << "3 0 0 1\n";

@@ -3,16 +3,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The samples are what their documentation says: closed manifolds of the right genus, oriented outward, without
-// slivers, and subdivision does not change the surface.
+// slivers, or with the boundary that was asked for; subdivision does not change the surface.
 
 #include "check.h"
 
+#include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/sample_boundaries.h>
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
+#include <CGAL/Quartic_differentials/spoiled_surfaces.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace CGAL::Quartic_differentials;
 
@@ -85,6 +89,90 @@ void check_subdivided_mesh()
   check_embedded(subdivided(torus(3, 1, 24, 12)), 1);
 }
 
+Intrinsic_triangulation checked_with_boundary(const Mesh& mesh, int genus, int curves)
+{
+  CHECK(CGAL::is_valid_polygon_mesh(mesh));
+  CHECK(!mesh.has_garbage());
+  const Intrinsic_triangulation t(mesh);
+  CHECK_EQUAL(structural_defect(t), "");
+  CHECK_EQUAL(t.genus(), genus);
+  CHECK_EQUAL(t.number_of_boundary_curves(), curves);
+  return t;
+}
+
+// the angle opposite to a boundary edge, in degrees
+double opposite_angle(const Mesh& mesh, Halfedge inside)
+{
+  return CGAL::approximate_angle(mesh.point(mesh.source(inside)), mesh.point(mesh.target(mesh.next(inside))),
+                                 mesh.point(mesh.target(inside)));
+}
+
+void check_plates()
+{
+  for (int holes = 0; holes <= 4; ++holes)
+    for (int resolution : {6, 7, 8, 12}) {
+      const Mesh rectangle = plate(Plate_shape::rectangle, holes, resolution), l = plate(Plate_shape::l, holes, resolution);
+      for (const Mesh& mesh : {rectangle, l}) {
+        checked_with_boundary(mesh, 0, holes + 1);
+        checked_with_boundary(subdivided(mesh), 0, holes + 1);
+        for (Halfedge h : mesh.halfedges()) {
+          const Vector_3 d = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h));
+          CHECK(!mesh.is_border(h) || d.x() == 0 || d.y() == 0);
+        }
+      }
+      if (resolution % 4 != 0) continue;   // then sides are not rounded
+      CHECK_NEAR(CGAL::Polygon_mesh_processing::area(rectangle), 6 - 0.25 * holes, 1e-12);
+      CHECK_NEAR(CGAL::Polygon_mesh_processing::area(l), 6.75 - 0.25 * holes, 1e-12);
+    }
+  for (int holes = 0; holes <= 5; ++holes) checked_with_boundary(plate(holes, 16), 0, holes + 1);
+}
+
+void check_cuts()
+{
+  const Mesh closed = handle_chain(2, 6);
+  std::size_t changes = 0, faces = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed)
+    for (int disks = 1; disks <= 3; ++disks) {
+      const Mesh cut = with_disks_cut_out(closed, disks, 0.08, seed);
+      checked_with_boundary(cut, 2, disks);
+      CHECK_EQUAL(with_disks_cut_out(closed, disks, 0.08, seed).number_of_faces(), cut.number_of_faces());
+      changes += faces != cut.number_of_faces();
+      faces = cut.number_of_faces();
+    }
+  CHECK(changes > 20);   // and not only the number of disks
+  CHECK_THROWS(with_disks_cut_out(closed, 3, 1, 1), Unusable_surface_error, "take a smaller radius");
+
+  const Mesh half = part_in_front(torus(2, 1, 24, 12), Vector_3(0, 0, 2));
+  checked_with_boundary(half, 0, 2);
+  for (Vertex v : half.vertices()) CHECK(half.point(v).z() >= 0);
+  checked_with_boundary(part_in_front(bumpy_sphere(3), Vector_3(1, 2, 3)), 0, 1);
+  Mesh saddle = torus(2, 1, 24, 12);   // with two high ends
+  for (Vertex v : saddle.vertices()) saddle.point(v) = saddle.point(v) + Vector_3(0, 0, std::pow(saddle.point(v).x(), 2));
+  CHECK_THROWS(part_in_front(saddle, Vector_3(0, 0, 1)), Unusable_surface_error, "is not connected");
+  CHECK_THROWS(part_in_front(closed, Vector_3(0, 0, 0)), Unusable_surface_error, "does not cut the surface");
+}
+
+void check_obtuse_boundary()
+{
+  for (const Mesh& mesh : {plate(2, 14), plate(Plate_shape::l, 1, 8), with_disks_cut_out(handle_chain(1, 6), 2, 0.1)}) {
+    const Intrinsic_triangulation before(mesh);
+    const Mesh obtuse = with_obtuse_boundary(mesh, 179, 1);
+    checked_with_boundary(obtuse, before.genus(), before.number_of_boundary_curves());
+    CHECK_NEAR(CGAL::Polygon_mesh_processing::area(obtuse), CGAL::Polygon_mesh_processing::area(mesh), 1e-12 * before.area());
+    double least = 180, greatest = 0;
+    std::size_t edges = 0;
+    for (Halfedge h : obtuse.halfedges()) {
+      if (!obtuse.is_border(obtuse.opposite(h))) continue;
+      least = std::min(least, opposite_angle(obtuse, h));
+      greatest = std::max(greatest, opposite_angle(obtuse, h));
+      ++edges;
+    }
+    CHECK_EQUAL(obtuse.number_of_vertices(), mesh.number_of_vertices() + edges);
+    CHECK(least >= 95 && least < 100 && greatest > 174 && greatest <= 179 + 1e-9);
+    CHECK(obtuse.point(obtuse.vertices_end()[-1]) != with_obtuse_boundary(mesh, 179, 2).point(obtuse.vertices_end()[-1]));
+  }
+}
+
 int main()
 {
   for (int level = 0; level < 5; ++level) check_embedded(bumpy_sphere(level), 0);
@@ -96,5 +184,8 @@ int main()
     }
   check_flat_surfaces();
   check_subdivided_mesh();
+  check_plates();
+  check_cuts();
+  check_obtuse_boundary();
   return Quartic_test::result();
 }

@@ -2,17 +2,20 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The surfaces with boundary of sample_surfaces.h.
+// The surfaces with boundary of sample_surfaces.h and sample_boundaries.h.
 
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/face_frames.h>
 #include <CGAL/Quartic_differentials/internal/shortest_path_tree.h>
-#include <CGAL/Quartic_differentials/sample_surfaces.h>
+#include <CGAL/Quartic_differentials/sample_boundaries.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <random>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -111,6 +114,63 @@ Mesh rings(int n)
   return mesh;
 }
 
+// The squares (i, j) of the plane for which `is_in(i, j)`, 0 <= i < columns, 0 <= j < rows, cut along their diagonals.
+template <class Is_in>
+Mesh squares(int columns, int rows, double side, Is_in is_in)
+{
+  Mesh mesh;
+  std::map<std::pair<int, int>, Vertex> vertices;
+  const auto vertex = [&](int i, int j) {
+    const auto [at, is_new] = vertices.try_emplace({i, j});
+    if (is_new) at->second = mesh.add_vertex(Point_3(side * i, side * j, 0));
+    return at->second;
+  };
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      if (!is_in(i, j)) continue;
+      const Vertex a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
+      mesh.add_face(a, b, c);
+      mesh.add_face(a, c, d);
+    }
+  return mesh;
+}
+
+// the middles of the holes
+std::vector<std::pair<double, double>> middles_of_holes(Plate_shape shape, int holes)
+{
+  if (shape == Plate_shape::l) {
+    const std::vector<std::pair<double, double>> all{{0.75, 0.75}, {2.25, 0.75}, {0.75, 2.25}, {1.5, 0.75}};
+    return {all.begin(), all.begin() + holes};
+  }
+  if (holes == 4) return {{0.75, 0.5}, {2.25, 0.5}, {0.75, 1.5}, {2.25, 1.5}};
+  std::vector<std::pair<double, double>> row;
+  for (int i = 0; i < holes; ++i) row.emplace_back(3 * (i + 0.5) / holes, 1);
+  return row;
+}
+
+bool is_connected(const Intrinsic_triangulation& t)
+{ return internal::visit_faces_breadth_first(t, [](Halfedge) {}) == t.number_of_faces(); }
+
+Mesh without_disks(const Mesh& mesh, int count, double radius, Vertex first)
+{
+  CGAL_precondition(count >= 1);
+  const Intrinsic_triangulation t{Mesh(mesh)};
+  std::vector<double> distance(t.number_of_vertices(), std::numeric_limits<double>::infinity());
+  Vertex centre = first;
+  for (int i = 0; i < count; ++i) {
+    const std::vector<double> from_here = internal::shortest_path_tree(t, t.lengths(), centre).distance;
+    for (Vertex v : t.vertices()) distance[v] = std::min(distance[v], from_here[v]);
+    centre = Vertex(static_cast<Mesh::size_type>(std::max_element(distance.begin(), distance.end()) - distance.begin()));
+  }
+  const double out = radius * std::sqrt(t.area());
+  Mesh part = Part(t.mesh(), [&](Vertex v) { return distance[v] < out; }).mesh();
+  const Intrinsic_triangulation surface(part);
+  if (surface.number_of_faces() == 0 || !is_connected(surface)
+      || surface.number_of_boundary_curves() != count + t.number_of_boundary_curves() || surface.genus() != t.genus())
+    throw Unusable_surface_error("the disks that are cut out meet each other or the boundary: take a smaller radius");
+  return part;
+}
+
 } // namespace
 
 Mesh plate(int holes, int resolution)
@@ -128,24 +188,39 @@ Mesh plate(int holes, int resolution)
   }).mesh();
 }
 
-Mesh with_disks_cut_out(const Mesh& mesh, int count, double radius)
+Mesh plate(Plate_shape shape, int holes, int resolution)
 {
-  CGAL_precondition(count >= 1);
-  const Intrinsic_triangulation t{Mesh(mesh)};
-  std::vector<double> distance(t.number_of_vertices(), std::numeric_limits<double>::infinity());
-  Vertex centre = *t.vertices().begin();
-  for (int i = 0; i < count; ++i) {
-    const std::vector<double> from_here = internal::shortest_path_tree(t, t.lengths(), centre).distance;
-    for (Vertex v : t.vertices()) distance[v] = std::min(distance[v], from_here[v]);
-    centre = Vertex(static_cast<Mesh::size_type>(std::max_element(distance.begin(), distance.end()) - distance.begin()));
-  }
-  const double out = radius * std::sqrt(t.area());
-  Mesh part = Part(t.mesh(), [&](Vertex v) { return distance[v] < out; }).mesh();
-  const Intrinsic_triangulation surface(part);
-  if (surface.number_of_faces() == 0
-      || internal::visit_faces_breadth_first(surface, [](Halfedge) {}) != surface.number_of_faces()
-      || surface.number_of_boundary_curves() != count + t.number_of_boundary_curves() || surface.genus() != t.genus())
-    throw Unusable_surface_error("the disks that are cut out meet each other or the boundary: take a smaller radius");
+  CGAL_precondition(0 <= holes && holes <= 4 && resolution >= 6);
+  const double side = 1.0 / resolution;
+  const auto middles = middles_of_holes(shape, holes);
+  return squares(3 * resolution, (shape == Plate_shape::l ? 3 : 2) * resolution, side, [&](int i, int j) {
+    const double x = side * (i + 0.5), y = side * (j + 0.5);
+    const bool in_hole = std::any_of(middles.begin(), middles.end(), [&](const auto& m) {
+      return std::max(std::abs(x - m.first), std::abs(y - m.second)) < 0.25;
+    });
+    return !in_hole && !(shape == Plate_shape::l && x > 1.5 && y > 1.5);
+  });
+}
+
+Mesh with_disks_cut_out(const Mesh& mesh, int count, double radius)
+{ return without_disks(mesh, count, radius, Vertex(0)); }
+
+Mesh with_disks_cut_out(const Mesh& mesh, int count, double radius, unsigned seed)
+{
+  std::mt19937 random(seed);
+  return without_disks(mesh, count, radius, Vertex(static_cast<Mesh::size_type>(random() % mesh.number_of_vertices())));
+}
+
+Mesh part_in_front(const Mesh& mesh, const Vector_3& normal)
+{
+  CGAL::Bbox_3 box;
+  for (Vertex v : mesh.vertices()) box += mesh.point(v).bbox();
+  const Point_3 middle((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2);
+  Mesh part = Part(mesh, [&](Vertex v) { return (mesh.point(v) - middle) * normal < 0; }).mesh();
+  if (part.number_of_faces() == 0 || part.number_of_faces() == mesh.number_of_faces())
+    throw Unusable_surface_error("the plane does not cut the surface: take another normal");
+  if (!is_connected(Intrinsic_triangulation(part)))
+    throw Unusable_surface_error("the surface in front of the plane is not connected: take another normal");
   return part;
 }
 
