@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/Area_distortion.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 
 #include <algorithm>
@@ -67,10 +68,43 @@ Eigen::VectorXd Area_distortion::gradient(const Divisor& divisor, const Eigen::V
 {
   Eigen::VectorXd gradient(2 * divisor.size());
   for (std::size_t i = 0; i < divisor.size(); ++i) {
-    const Complex g = -pi * divisor[i].order / m_area * face_gradient(divisor[i].location.face, w);
+    const Surface_point& p = divisor[i].location;
+    Complex g;
+    if (divisor[i].on_boundary) {
+      const Halfedge h = internal::boundary_place(m_t, p).halfedge;
+      g = (w[m_t.target(h)] - w[m_t.source(h)]) / m_t.length(h);
+    } else {
+      g = face_gradient(p.face, w);
+    }
+    g *= -pi * divisor[i].order / m_area;
     gradient.segment<2>(2 * i) << g.real(), g.imag();
   }
   return gradient;
+}
+
+// `share` times the mean of grad w round the source of h, weighted by area, in the unfolded frame of the face of h or
+// along the boundary. In polar coordinates of total angle 2 pi whose axis is the star's first edge; on the boundary the
+// angle is pi, and the mean that with the mirror image.
+Complex Area_distortion::vertex_gradient(Halfedge h, double share, const Eigen::VectorXd& w, bool along_boundary) const
+{
+  const Vertex v = m_t.source(h);
+  const bool is_border = m_t.is_border(v);
+  const std::vector<internal::Star_corner> star = internal::star(m_t, v);
+  const double scale = (is_border ? pi : 2 * pi) / star.back().end_angle;
+  Complex sum = 0, to_face = 1;
+  double area = 0;
+  for (const internal::Star_corner& k : star) {
+    const Complex to_polar = std::polar(1.0, scale * k.begin_angle - k.frame_angle);
+    const Face f = m_t.face(k.halfedge);
+    const auto z = m_t.unfolded(f);
+    const double weight = z[1].real() * z[2].imag();
+    sum += weight * to_polar * face_gradient(f, w);
+    area += weight;
+    if (k.halfedge == h) to_face = std::conj(to_polar);
+  }
+  if (is_border) sum = sum.real();
+  if (along_boundary) to_face = 1;
+  return share * to_face * sum / area;
 }
 
 Eigen::VectorXd Area_distortion::recovered_gradient(const Divisor& divisor, const Eigen::VectorXd& w) const
@@ -80,21 +114,8 @@ Eigen::VectorXd Area_distortion::recovered_gradient(const Divisor& divisor, cons
     Complex g = 0;
     const auto h = m_t.halfedges(divisor[i].location.face);
     for (int c = 0; c < 3; ++c) {
-      // the mean round the corner's vertex, in polar coordinates of total angle 2 pi whose axis is the star's first edge
-      const std::vector<internal::Star_corner> star = internal::star(m_t, m_t.source(h[c]));
-      const double scale = 2 * pi / star.back().end_angle;
-      Complex sum = 0, to_face = 1;
-      double area = 0;
-      for (const internal::Star_corner& k : star) {
-        const Complex to_polar = std::polar(1.0, scale * k.begin_angle - k.frame_angle);
-        const Face f = m_t.face(k.halfedge);
-        const auto z = m_t.unfolded(f);
-        const double weight = z[1].real() * z[2].imag();
-        sum += weight * to_polar * face_gradient(f, w);
-        area += weight;
-        if (k.halfedge == h[c]) to_face = std::conj(to_polar);
-      }
-      g += divisor[i].location.barycentric[c] * to_face * sum / area;
+      const double b = divisor[i].location.barycentric[c];
+      if (!divisor[i].on_boundary || b != 0) g += vertex_gradient(h[c], b, w, divisor[i].on_boundary);
     }
     g *= -pi * divisor[i].order / m_area;
     gradient.segment<2>(2 * i) << g.real(), g.imag();

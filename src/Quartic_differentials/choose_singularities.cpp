@@ -8,6 +8,7 @@
 #include <CGAL/Quartic_differentials/initial_divisor.h>
 #include <CGAL/Quartic_differentials/internal/Moving_divisor.h>
 #include <CGAL/Quartic_differentials/internal/Singularity_search.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/distortion_descent.h>
 #include <CGAL/Quartic_differentials/internal/vertex_places.h>
 
@@ -61,15 +62,56 @@ struct Counts
   int least, wanted;   // wanted 0: as many as the distortion asks for
 };
 
-Counts counts(int genus, const Divisor& given, const Singularity_choice_options& options)
+// " with b boundary curves", or "".
+std::string with_boundary(const Intrinsic_triangulation& t)
 {
-  const int missing = std::abs(8 * genus - 8 - degree(given));
-  const int least = static_cast<int>(given.size()) + missing;
-  if (options.count == 0) return {std::max(least, genus == 1 ? 4 : 1), 0};
+  const int b = t.number_of_boundary_curves();
+  return b == 0 ? "" : " with " + std::to_string(b) + (b == 1 ? " boundary curve" : " boundary curves");
+}
+
+bool only_corners(const Divisor& divisor)
+{
+  return std::all_of(divisor.begin(), divisor.end(), [](const Singularity& s) { return s.on_boundary; });
+}
+
+bool is_legal(const Abel_jacobi_map& map, const Divisor& divisor, double tolerance)
+{
+  if (divisor.empty()) return required_degree(map.triangulation()) == 0;   // an annulus
+  const Eigen::VectorXd f = map.residual(divisor);
+  return (f - 0.5 * CGAL_PI * internal::rounded_to_lattice(f)).norm() <= tolerance;
+}
+
+// In how many directions the singularities may move.
+int degrees_of_freedom(const Divisor& divisor)
+{
+  int n = 0;
+  for (const Singularity& s : divisor)
+    if (!s.pinned) n += s.on_boundary ? 1 : 2;
+  return n;
+}
+
+// On a surface with boundary the given corners may be enough, or pairs have to come so that the conditions can be met.
+int least_count(const Abel_jacobi_map& map, const Divisor& given, const Legalization_options& legalization)
+{
+  const Intrinsic_triangulation& t = map.triangulation();
+  const int missing = std::abs(required_degree(t) - degree(given)), count = static_cast<int>(given.size()) + missing;
+  if (!t.has_boundary()) return count;
+  if (missing == 0 && is_legal(map, given, legalization.tolerance)) return count;
+  const int lacking = map.dimension() - degrees_of_freedom(given) - 2 * missing;
+  return count + 2 * ((std::max(lacking, 0) + 3) / 4);
+}
+
+Counts counts(const Abel_jacobi_map& map, const Divisor& given, const Singularity_choice_options& options,
+              const Legalization_options& legalization)
+{
+  const Intrinsic_triangulation& t = map.triangulation();
+  const int genus = t.genus(), least = least_count(map, given, legalization);
+  if (options.count == 0) return {t.has_boundary() ? least : std::max(least, genus == 1 ? 4 : 1), 0};
   if (options.count < least)
     throw Infeasible_divisor_error("at least " + std::to_string(least) + " simple singularities are needed on a surface "
-                                   "of genus " + std::to_string(genus) + (given.empty() ? "" : " with those given")
-                                   + ", not " + std::to_string(options.count));
+                                   "of genus " + std::to_string(genus) + with_boundary(t)
+                                   + (given.empty() ? "" : " with those given") + ", not "
+                                   + std::to_string(options.count));
   if (options.count > most_that_fit)
     throw Infeasible_divisor_error("the surface has no room for " + std::to_string(options.count) + " singularities");
   return {least, options.count + (options.count - least) % 2};
@@ -85,7 +127,7 @@ public:
     : m_surface(s), m_map(s.delaunay, s.homology.cochains, s.forms), m_distortion(s.delaunay, s.laplacian, mass),
       m_given(given), m_options(options), m_legalization(legalization), m_descent(descent), m_visitor(visitor), m_silent(visitor),
       m_search(m_distortion, m_map, given.size(), m_options, m_descent, m_silent),
-      m_counts(counts(s.delaunay.genus(), given, options)), m_size(std::sqrt(s.delaunay.area()))
+      m_counts(counts(m_map, given, options, legalization)), m_size(std::sqrt(s.delaunay.area()))
   {
   }
 
@@ -112,24 +154,31 @@ private:
   std::vector<Singularity_start> starts()
   {
     if (m_options.start != Singularity_start::automatic) return {m_options.start};
-    if (m_given.empty() && field().size() <= m_options.field_limit)
+    if (only_corners(m_given) && field().size() <= m_options.field_limit)
       return {Singularity_start::pairs, Singularity_start::field};
     return {Singularity_start::pairs};
   }
   const Divisor& field()
   {
-    if (!m_field) m_field = direction_field_divisor(m_surface.delaunay, m_surface.weights, m_options.seed);
+    if (!m_field) m_field = direction_field_divisor(m_surface.delaunay, m_surface.weights, m_options.seed, m_given);
     return *m_field;
   }
 
   Divisor start_divisor(Singularity_start start)
   {
     if (start == Singularity_start::pairs) return m_search.completed(m_given);
+    if (start == Singularity_start::field && only_corners(m_given)) {
+      Divisor divisor = m_given;
+      divisor.insert(divisor.end(), field().begin(), field().end());
+      return divisor;
+    }
     if (!m_given.empty())
       throw Infeasible_divisor_error("given singularities can only be completed by pairs, not from the field or the "
                                      "curvature");
-    return start == Singularity_start::field ? field()
-         : curvature_divisor(m_surface.delaunay, m_surface.weights, m_surface.laplacian, m_counts.wanted);
+    if (m_surface.delaunay.has_boundary())
+      throw Infeasible_divisor_error("on a surface with boundary singularities are chosen from the field or by pairs, "
+                                     "not from the curvature");
+    return curvature_divisor(m_surface.delaunay, m_surface.weights, m_surface.laplacian, m_counts.wanted);
   }
 
   // meets divisors of all counts of interest, from one start
@@ -241,12 +290,11 @@ private:
   {
     const Moving_divisor free(m_map, c.divisor);
     try {
-      check_orders(c.divisor, m_surface.delaunay.genus());
-      m_legalization.lattice_vectors = vectors;
-      const Lattice_candidates lattice = nearest_lattice_vectors(free, m_surface.periods, m_legalization);
+      check_orders(c.divisor, m_surface.delaunay.genus(), m_surface.delaunay.number_of_boundary_curves());
+      const std::vector<Eigen::VectorXd> lattice = lattice_vectors_near(free, vectors);
       std::optional<internal::Descent> best;
       const Eigen::VectorXd* best_m = nullptr;
-      for (const Eigen::VectorXd& m : lattice.vectors) {
+      for (const Eigen::VectorXd& m : lattice) {
         std::optional<internal::Descent> d = descended(free, m, first_iterations);
         if (d && (!best || d->distortion() < best->distortion())) {
           best = std::move(d);
@@ -263,6 +311,15 @@ private:
     }
   }
 
+  // The nearest ones; only the one it is at, where corners are legal at their places.
+  std::vector<Eigen::VectorXd> lattice_vectors_near(const Moving_divisor& d, int vectors)
+  {
+    if (m_surface.delaunay.has_boundary() && is_legal(m_map, d.divisor(), m_legalization.tolerance))
+      return {internal::rounded_to_lattice(d.residual())};
+    m_legalization.lattice_vectors = vectors;
+    return nearest_lattice_vectors(d, m_surface.periods, m_legalization).vectors;
+  }
+
   std::optional<internal::Descent> descended(Moving_divisor d, const Eigen::VectorXd& m, int iterations)
   {
     std::vector<double> history;
@@ -274,9 +331,9 @@ private:
     Distortion_options options = m_descent;
     options.iterations = iterations;
     internal::Descent descent = internal::descend(m_distortion, d, m, options, m_silent);
-    const double least = coarse_least_distance * m_size;
-    if (nearest_singularities(m_surface.delaunay, locations(descent.divisor.divisor()), least).distance < least) {
-      m_refusal = "singularities run into each other";
+    const std::string reason = collision(m_surface.delaunay, descent.divisor.divisor(), coarse_least_distance);
+    if (!reason.empty()) {
+      m_refusal = "singularities run into each other: " + reason;
       return std::nullopt;
     }
     return descent;
@@ -323,25 +380,41 @@ private:
   std::string                m_refusal;
 };
 
-// The corner of a point's face that is nearest to it and not taken by another singularity.
+// The corner of a point's face that is nearest to it and not taken by another singularity; on the boundary only if no
+// other is left.
 Vertex free_corner(const Intrinsic_triangulation& t, const Surface_point& p, const std::vector<Vertex>& taken)
 {
   std::array<int, 3> corners{0, 1, 2};
-  std::sort(corners.begin(), corners.end(), [&](int a, int b) { return p.barycentric[a] > p.barycentric[b]; });
   const auto h = t.halfedges(p.face);
+  std::sort(corners.begin(), corners.end(), [&](int a, int b) { return p.barycentric[a] > p.barycentric[b]; });
+  std::stable_partition(corners.begin(), corners.end(), [&](int c) { return !t.is_border(t.source(h[c])); });
   for (int c : corners)
     if (std::find(taken.begin(), taken.end(), t.source(h[c])) == taken.end()) return t.source(h[c]);
   return t.source(h[corners[0]]);
 }
 
-// Carries a divisor from a coarse surface to vertices of the fine one; those that are given stay exactly where they are.
+// The place on the boundary of another triangulation that has the same boundary edges, by the vertex it has there.
+Surface_point same_place_on_boundary(const Intrinsic_triangulation& from, const Surface_point& p,
+                                     const Intrinsic_triangulation& to, const std::vector<Vertex>& vertex)
+{
+  const internal::Boundary_place place = internal::boundary_place(from, p);
+  return on_edge(to, to.halfedge_from(vertex[from.source(place.halfedge)]), place.fraction);
+}
+
+// Carries a divisor from a coarse surface to vertices of the fine one; those that are given and pinned stay exactly
+// where they are, and corners on their boundary edges.
 Divisor on_fine_surface(const Riemann_surface& fine, const Coarse_surface& coarse, const Divisor& given, Divisor divisor)
 {
   std::vector<Vertex> taken;
   for (std::size_t i = 0; i < divisor.size(); ++i) {
-    taken.push_back(free_corner(coarse.triangulation, divisor[i].location, taken));
-    divisor[i].location = i < given.size() && given[i].pinned ? given[i].location
-                        : internal::beside(fine.delaunay, coarse.fine_vertex[taken.back()]);
+    Surface_point& p = divisor[i].location;
+    if (divisor[i].on_boundary && !divisor[i].pinned) {
+      p = same_place_on_boundary(coarse.triangulation, p, fine.delaunay, coarse.fine_vertex);
+      continue;
+    }
+    taken.push_back(free_corner(coarse.triangulation, p, taken));
+    p = i < given.size() && given[i].pinned ? given[i].location
+      : internal::beside(fine.delaunay, coarse.fine_vertex[taken.back()]);
   }
   return divisor;
 }
@@ -350,20 +423,24 @@ Divisor on_fine_surface(const Riemann_surface& fine, const Coarse_surface& coars
 // drives them apart.
 Divisor separated(const Riemann_surface& s, const Divisor& divisor, Distortion_options options, Visitor& visitor)
 {
-  const double least = coarse_least_distance * std::sqrt(s.delaunay.area());
-  if (nearest_singularities(s.delaunay, locations(divisor), least).distance >= least) return divisor;
+  if (collision(s.delaunay, divisor, coarse_least_distance).empty()) return divisor;
   const Abel_jacobi_map map(s.delaunay, s.homology.cochains, s.forms);
   const Area_distortion distortion(s.delaunay, s.laplacian, vertex_areas(s.delaunay));
   options.iterations = first_iterations;
   return internal::descend(distortion, Moving_divisor(map, divisor), std::nullopt, options, visitor).divisor.divisor();
 }
 
-// Given singularities on the coarse surface: at the nearest of its vertices along edges of the fine one.
+// Given singularities on the coarse surface: at the nearest of its vertices along edges of the fine one; corners where
+// they are.
 Divisor on_coarse_surface(const Riemann_surface& fine, const Coarse_surface& coarse, Divisor given)
 {
   std::vector<Vertex> coarse_vertex(fine.delaunay.number_of_vertices(), Mesh::null_vertex());
   for (Vertex v : coarse.triangulation.vertices()) coarse_vertex[coarse.fine_vertex[v]] = v;
   for (Singularity& s : given) {
+    if (s.on_boundary) {
+      s.location = same_place_on_boundary(fine.delaunay, s.location, coarse.triangulation, coarse_vertex);
+      continue;
+    }
     const Vertex v = internal::nearest_corner(fine.delaunay, s.location);
     internal::visit_nearest_first(fine.delaunay, v, [&](Vertex w, double) {
       if (coarse_vertex[w] == Mesh::null_vertex()) return true;
@@ -374,6 +451,24 @@ Divisor on_coarse_surface(const Riemann_surface& fine, const Coarse_surface& coa
   return given;
 }
 
+// What is given, if it is legal and distorts areas no more than is wanted: corners of a plate, and no singularities.
+std::optional<Chosen_singularities> given_alone(const Riemann_surface& s, const Divisor& given,
+                                                const Singularity_choice_options& options, double tolerance)
+{
+  const Abel_jacobi_map map(s.delaunay, s.homology.cochains, s.forms);
+  for (const Singularity& p : given)
+    if (p.on_boundary) map.lift_on_boundary(p.location);   // throws where it is not
+  if (options.count != 0 || options.pareto || degree(given) != required_degree(s.delaunay)
+      || !is_legal(map, given, tolerance))
+    return std::nullopt;
+  const Area_distortion distortion(s.delaunay, s.laplacian, vertex_areas(s.delaunay));
+  const Eigen::VectorXd u = distortion.log_scale(given);
+  const double e = distortion.energy(u);
+  if (e > options.distortion) return std::nullopt;
+  const Start_of_search start{"pairs", static_cast<int>(given.size()), e, area_scale_ratio(u, distortion.mass())};
+  return Chosen_singularities{given, e, {start}, {}, s.delaunay.number_of_vertices(), distortion.solves()};
+}
+
 } // namespace
 
 Chosen_singularities choose_singularities(const Riemann_surface& surface, const Divisor& given,
@@ -381,6 +476,8 @@ Chosen_singularities choose_singularities(const Riemann_surface& surface, const 
                                           const Legalization_options& legalization,
                                           const Distortion_options& distortion, Visitor& visitor)
 {
+  if (surface.delaunay.has_boundary())
+    if (auto chosen = given_alone(surface, given, options, legalization.tolerance)) return *chosen;
   if (surface.delaunay.number_of_vertices() <= options.coarse_vertices)
     return Search(surface, vertex_areas(surface.delaunay), given, options, legalization, distortion, visitor).best();
 

@@ -62,6 +62,7 @@ private:
 
   bool collect(const Intrinsic_triangulation& t, Vertex v)
   {
+    if (t.is_border(v)) return false;
     m_spoke.clear();
     m_length.clear();
     m_rim.clear();
@@ -244,7 +245,7 @@ Glued_triangles glued(const Intrinsic_triangulation& t, const Triangles& triangl
     for (int k = 0; k < 3; ++k) {
       const Halfedge h = triangles[i][k];
       g.triangles[i][k] = new_index[t.source(h)];
-      g.opposite[i][k] = place[t.opposite(h)];
+      g.opposite[i][k] = t.is_border(t.opposite(h)) ? std::array<int, 2>{-1, -1} : place[t.opposite(h)];
       g.lengths[i][k] = t.length(h);
     }
   return g;
@@ -258,7 +259,7 @@ Integer_cochains carried_over(const Integer_cochains& cochains, const Triangles&
   for (Face f : t.faces()) {
     const auto h = t.halfedges(f);
     for (int k = 0; k < 3; ++k) {
-      if (h[k] != t.halfedge(t.edge(h[k]))) continue;   // once an edge
+      if (h[k] != t.halfedge(t.edge(h[k])) && !t.is_border(t.opposite(h[k]))) continue;   // once an edge
       for (int n = 0; n < cochains.size(); ++n) result.add(h[k], n, cochains(triangles[f][k], n));
     }
   }

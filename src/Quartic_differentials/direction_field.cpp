@@ -4,6 +4,7 @@
 
 #include <CGAL/Quartic_differentials/direction_field.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/laplacian.h>
 
@@ -27,19 +28,32 @@ const double shift = 1e-3;        // of the eigenvalues, times 4 pi / area: flat
 const double tolerance = 1e-12;   // residual relative to the eigenvector, which is tiny on large parts of some surfaces
 const int max_iterations = 60;
 
+// m, the number of quads at every vertex of the boundary, 4 in the interior
+std::vector<int> quads_at_vertices(const Intrinsic_triangulation& t, const Divisor& corners)
+{
+  std::vector<int> quads;
+  for (Vertex v : t.vertices()) quads.push_back(t.is_border(v) ? 2 : 4);
+  for (const Singularity& s : corners) {
+    const auto [h, fraction] = internal::boundary_place(t, s.location);
+    quads[fraction <= 0.5 ? t.source(h) : t.target(h)] += s.order;
+  }
+  return quads;
+}
+
 // phi and beta, by halfedge
 struct Rescaled_angles
 {
-  explicit Rescaled_angles(const Intrinsic_triangulation& t)
+  Rescaled_angles(const Intrinsic_triangulation& t, const std::vector<int>& quads)
     : direction(t.number_of_halfedges()), corner(t.number_of_halfedges())
   {
     for (Vertex v : t.vertices()) {
       const std::vector<internal::Star_corner> star = internal::star(t, v);
-      const double scale = 2 * pi / star.back().end_angle;
+      const double sum = quads[v] * (pi / 2), scale = sum / star.back().end_angle;
       for (const internal::Star_corner& c : star) {
         direction[c.halfedge] = scale * c.begin_angle;
         corner[c.halfedge] = scale * (c.end_angle - c.begin_angle);
       }
+      if (t.is_border(v)) direction[t.next_around_source(star.back().halfedge)] = sum;
     }
   }
   // rho(h); the half turn between the directions at both ends of h is none for 4-direction fields
@@ -89,17 +103,51 @@ Eigen::VectorXd random_vector(Eigen::Index size, unsigned seed)
 
 double norm(const Eigen::VectorXd& mass, const Eigen::VectorXd& x) { return std::sqrt(x.dot(mass.cwiseProduct(x))); }
 
-// z, by Lanczos's method on the inverse of C + shift M. Inverse iteration is too slow, for the least eigenvalues are
-// close together: on a round sphere they are one eigenvalue with nine eigenvectors. Without convergence the field is
-// less smooth, but its singularities are as good a divisor.
+// The smoothest z that is 1 on the boundary: (C + shift M) z = 0 in the interior.
+Eigen::VectorXcd field_along_boundary(const Intrinsic_triangulation& t, const Eigen::SparseMatrix<double>& lower)
+{
+  Eigen::VectorXcd z(t.number_of_vertices());
+  Eigen::VectorXd known = Eigen::VectorXd::Zero(lower.rows());
+  std::vector<int> unknown(lower.rows(), -1);   // rows of the system, by row of `lower`
+  int rows = 0;
+  for (Vertex v : t.vertices()) {
+    if (t.is_border(v)) known[2 * v.idx()] = 1;
+    else for (int k : {0, 1}) unknown[2 * v.idx() + k] = rows++;
+  }
+  if (rows == 0) return Eigen::VectorXcd::Ones(z.size());
+  Eigen::VectorXd right_hand_side = Eigen::VectorXd::Zero(rows);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int k = 0; k < lower.outerSize(); ++k)
+    for (Eigen::SparseMatrix<double>::InnerIterator e(lower, k); e; ++e) {
+      const int i = unknown[e.row()], j = unknown[e.col()];
+      if (i >= 0 && j >= 0) entries.emplace_back(i, j, e.value());
+      else if (i >= 0) right_hand_side[i] -= e.value() * known[e.col()];
+      else if (j >= 0) right_hand_side[j] -= e.value() * known[e.row()];
+    }
+  Eigen::SparseMatrix<double> interior(rows, rows);
+  interior.setFromTriplets(entries.begin(), entries.end());
+  Symmetric_factorization factorization;
+  factorization.factorize(interior);
+  const Eigen::VectorXd x = factorization.solve(right_hand_side);
+  const auto value = [&](int row) { return unknown[row] < 0 ? known[row] : x[unknown[row]]; };
+  for (int v = 0; v < z.size(); ++v) z[v] = {value(2 * v), value(2 * v + 1)};
+  return z;
+}
+
+// z. On a closed surface by Lanczos's method on the inverse of C + shift M. Inverse iteration is too slow, for the
+// least eigenvalues are close together: on a round sphere they are one eigenvalue with nine eigenvectors. Without
+// convergence the field is less smooth, but its singularities are as good a divisor.
 Eigen::VectorXcd smoothest_field(const Intrinsic_triangulation& t, const std::vector<double>& weights,
                                  const Rescaled_angles& angles, unsigned seed)
 {
   const std::vector<double> area = vertex_areas(t);
   Eigen::VectorXd mass(2 * area.size());
   for (Eigen::Index k = 0; k < mass.size(); ++k) mass[k] = area[k / 2];
+  const Eigen::SparseMatrix<double> lower
+    = lower_connection_laplacian(t, weights, angles, shift * 4 * pi / t.area() * mass);
+  if (t.has_boundary()) return field_along_boundary(t, lower);
   Symmetric_factorization shifted;
-  shifted.factorize(lower_connection_laplacian(t, weights, angles, shift * 4 * pi / t.area() * mass));
+  shifted.factorize(lower);
 
   Eigen::MatrixXd basis(mass.size(), max_iterations);   // orthonormal with respect to M
   Eigen::MatrixXd projected = Eigen::MatrixXd::Zero(max_iterations, max_iterations);   // lower triangle
@@ -158,18 +206,20 @@ Surface_point place_in_face(Face f, int k, int n)
 
 } // namespace
 
-Divisor direction_field_divisor(const Intrinsic_triangulation& t, const std::vector<double>& weights, unsigned seed)
+Divisor direction_field_divisor(const Intrinsic_triangulation& t, const std::vector<double>& weights, unsigned seed,
+                                const Divisor& corners)
 {
-  const Rescaled_angles angles(t);
+  const Rescaled_angles angles(t, quads_at_vertices(t, corners));
   const std::vector<double> rotation = rotations(t, angles, smoothest_field(t, weights, angles, seed));
   Divisor divisor;
   for (Face f : t.faces()) {
     const int order = order_in_face(t, angles, rotation, f), n = std::abs(order);
     for (int k = 0; k < n; ++k) divisor.push_back({place_in_face(f, k, n), order > 0 ? 1 : -1, false});
   }
-  if (degree(divisor) != 8 * t.genus() - 8)
+  const int wanted = required_degree(t) - degree(corners);
+  if (degree(divisor) != wanted)
     throw Numerical_error("the singularities of a direction field have degree " + std::to_string(degree(divisor))
-                          + " instead of 8g-8: the triangulation is degenerate");
+                          + " instead of " + std::to_string(wanted) + ": the triangulation is degenerate");
   return divisor;
 }
 

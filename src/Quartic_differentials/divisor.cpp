@@ -14,6 +14,9 @@ int degree(const Divisor& d)
   return sum;
 }
 
+int required_degree(const Intrinsic_triangulation& t)
+{ return 8 * t.genus() - 8 + 4 * t.number_of_boundary_curves(); }
+
 std::vector<Surface_point> locations(const Divisor& d)
 {
   std::vector<Surface_point> points;

@@ -21,13 +21,15 @@ const double pi = CGAL_PI;
 const double smoothing_time = 0.0025;   // of the area
 const double slack = 1.1;               // fewer singularities are worth that factor of the range of log scales
 const double separation = 0.06;         // least distance of the extrema along edges, times sqrt(area)
+const double from_boundary = 0.03;      // likewise
 
 // Picks vertices of extreme curvature, keeping a distance from all that was picked before.
 class Extremum_picker
 {
 public:
   Extremum_picker(const Intrinsic_triangulation& t, const std::vector<double>& weights)
-    : m_t(t), m_radius(separation * std::sqrt(t.area())), m_taken(t)
+    : m_t(t), m_radius(separation * std::sqrt(t.area())),
+      m_taken(internal::near_boundary(t, from_boundary * std::sqrt(t.area())))
   {
     const std::vector<double> k = curvatures(t, corner_angles(t, t.lengths()));
     m_curvature = heat_smoothed(t, weights, smoothing_time * t.area(), Eigen::Map<const Eigen::VectorXd>(k.data(), k.size()));
@@ -144,7 +146,7 @@ Divisor curvature_divisor(const Intrinsic_triangulation& t, const std::vector<do
 
 Divisor with_repaired_degree(const Intrinsic_triangulation& t, const std::vector<double>& weights, Divisor divisor)
 {
-  const int missing = 8 * t.genus() - 8 - degree(divisor);
+  const int missing = required_degree(t) - degree(divisor);
   if (missing == 0) return divisor;
   Extremum_picker picker(t, weights);
   for (const Singularity& s : divisor) picker.take(internal::nearest_corner(t, s.location));
@@ -152,7 +154,8 @@ Divisor with_repaired_degree(const Intrinsic_triangulation& t, const std::vector
   const std::vector<Vertex> picked = picker.pick(std::abs(missing), -order);
   if (static_cast<int>(picked.size()) < std::abs(missing))
     throw Infeasible_divisor_error("the surface has no room for the " + std::to_string(std::abs(missing))
-                                   + " singularities that the degree 8g-8 asks for");
+                                   + " singularities that the degree " + std::to_string(required_degree(t))
+                                   + " asks for");
   for (Vertex v : picked) divisor.push_back({internal::beside(t, v), order, false});
   return divisor;
 }

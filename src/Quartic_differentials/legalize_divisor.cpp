@@ -51,41 +51,11 @@ void require_full_rank(const Eigen::MatrixXd& j)
                                    "add singularities, or pin fewer of them");
 }
 
-// The distance from the boundary along straight lines up to `radius`, or infinity.
-double distance_to_boundary(const Intrinsic_triangulation& t, const Surface_point& p, double radius)
-{
-  double least = std::numeric_limits<double>::infinity();
-  internal::explore_geodesic_disk(t, p, radius, [&](const internal::Unfolded_face& f, std::complex<double>,
-                                                    std::complex<double>) {
-    const auto h = t.halfedges(t.face(f.halfedge));
-    const auto z = f.corners(t);
-    for (int k = 0; k < 3; ++k)
-      if (t.is_border(t.opposite(h[k])))
-        least = std::min(least, std::sqrt(internal::squared_distance_to_segment(z[k], z[(k + 1) % 3])));
-  });
-  return least;
-}
-
-// The way from one place on the boundary to another with the surface on the left, or infinity if it is longer than `most`
-// or there is none.
-double way_along_boundary(const Intrinsic_triangulation& t, const internal::Boundary_place& from,
-                          const internal::Boundary_place& to, double most)
-{
-  if (from.halfedge == to.halfedge && from.fraction <= to.fraction)
-    return (to.fraction - from.fraction) * t.length(from.halfedge);
-  double way = (1 - from.fraction) * t.length(from.halfedge);
-  for (Halfedge h = t.next_on_boundary(from.halfedge); way <= most && h != from.halfedge; h = t.next_on_boundary(h)) {
-    if (h == to.halfedge) return way + to.fraction * t.length(h);
-    way += t.length(h);
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
 bool on_same_curve(const Intrinsic_triangulation& t, const Singularity& a, const Singularity& b)
 {
   const internal::Boundary_place x = internal::boundary_place(t, a.location), y = internal::boundary_place(t, b.location);
   const double any = std::numeric_limits<double>::infinity();
-  return x.halfedge == y.halfedge || std::isfinite(way_along_boundary(t, x, y, any));
+  return x.halfedge == y.halfedge || std::isfinite(internal::way_along_boundary(t, x, y, any));
 }
 
 void check_corners(const Abel_jacobi_map& map, const Divisor& divisor)
@@ -115,7 +85,7 @@ std::optional<Legal_divisor> legal_as_it_is(const Abel_jacobi_map& map, const Di
 {
   const Eigen::VectorXd f = map.residual(divisor);
   Legal_divisor legal;
-  legal.nearest = (f / quarter_turn).array().round();
+  legal.nearest = internal::rounded_to_lattice(f);
   legal.residual = f - quarter_turn * legal.nearest;
   if (!divisor.empty() && legal.residual.norm() > tolerance) return std::nullopt;
   legal.divisor = divisor;
@@ -168,8 +138,8 @@ Nearest_singularities nearest_singularities(const Intrinsic_triangulation& t, co
   for (std::size_t i = 0; i < divisor.size(); ++i)
     for (std::size_t k = 0; k < divisor.size(); ++k) {
       if (i == k || !divisor[i].on_boundary || !divisor[k].on_boundary) continue;
-      const double way = way_along_boundary(t, internal::boundary_place(t, divisor[i].location),
-                                            internal::boundary_place(t, divisor[k].location), radius);
+      const double way = internal::way_along_boundary(t, internal::boundary_place(t, divisor[i].location),
+                                                      internal::boundary_place(t, divisor[k].location), radius);
       if (way <= radius && way < nearest.distance) nearest = {std::min(i, k), std::max(i, k), way};
     }
   return nearest;
@@ -186,8 +156,8 @@ std::string collision(const Intrinsic_triangulation& t, const Divisor& d, double
   if (n.distance < least * size) return name(d, n.first) + " and " + name(d, n.second) + text(n.distance, least);
   for (std::size_t i = 0; i < d.size(); ++i) {
     if (d[i].on_boundary) continue;
-    const double distance = distance_to_boundary(t, d[i].location, 0.5 * least * size);
-    if (distance < 0.5 * least * size) return name(d, i) + " and the boundary" + text(distance, 0.5 * least);
+    const auto way = internal::way_to_boundary(t, d[i].location, 0.5 * least * size);
+    if (way) return name(d, i) + " and the boundary" + text(std::abs(*way), 0.5 * least);
   }
   return {};
 }

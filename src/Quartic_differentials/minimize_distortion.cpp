@@ -20,13 +20,14 @@ const double vertex_share = 0.98;   // a singularity with a larger barycentric c
 const double inwards = 0.05;        // of the way to the centroid
 const int    attempts = 3;
 
-// Displacements, in the faces' frames, of the singularities at vertices towards the centroids of their faces.
+// Displacements, in the faces' frames, of the singularities at vertices towards the centroids of their faces; corners
+// stay.
 Eigen::VectorXd away_from_vertices(const Intrinsic_triangulation& t, const Divisor& divisor)
 {
   Eigen::VectorXd step = Eigen::VectorXd::Zero(2 * divisor.size());
   for (std::size_t i = 0; i < divisor.size(); ++i) {
     const auto& b = divisor[i].location.barycentric;
-    if (*std::max_element(b.begin(), b.end()) <= vertex_share) continue;
+    if (divisor[i].on_boundary || *std::max_element(b.begin(), b.end()) <= vertex_share) continue;
     const auto corner = t.unfolded(divisor[i].location.face);
     const std::complex<double> way = inwards * ((corner[0] + corner[1] + corner[2]) / 3.0
                                                 - internal::point_in_frame(corner, b));
@@ -62,7 +63,7 @@ Optimal_divisor minimize_distortion(const Area_distortion& distortion, const Abe
   Legal_divisor& legal = optimal.legal;
   // the points are lifted anew, on sheet 0: there m differs by integers from the vector that was found
   const internal::Moving_divisor start(map, legal.divisor);
-  const Eigen::VectorXd m = (start.residual() / (0.5 * CGAL_PI)).array().round();
+  const Eigen::VectorXd m = internal::rounded_to_lattice(start.residual());
   internal::Descent descent = internal::descend(distortion, start, m, options, visitor);
 
   const Intrinsic_triangulation& t = map.triangulation();

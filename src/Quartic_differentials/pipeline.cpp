@@ -4,6 +4,8 @@
 
 #include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/arbitrary_precision.h>
+#include <CGAL/Quartic_differentials/boundary_corners.h>
+#include <CGAL/Quartic_differentials/choose_corners.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/initial_divisor.h>
 #include <CGAL/Quartic_differentials/internal/Timed_step.h>
@@ -13,7 +15,9 @@
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 
+#include <algorithm>
 #include <complex>
+#include <utility>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -23,36 +27,30 @@ namespace {
 using internal::Timed_step;
 using internal::scientific;
 
-// The divisor to start from: given, completed, or chosen.
+void append(Divisor& divisor, const Divisor& more) { divisor.insert(divisor.end(), more.begin(), more.end()); }
+
+// The divisor to start from: given, completed, or chosen. Corners of the boundary are found if none are given.
 Divisor starting_divisor(const Riemann_surface& s, const std::optional<Divisor>& singularities,
                          const Quartic_differential_options& options, Visitor& visitor,
                          std::optional<Chosen_singularities>& choice)
 {
-  const Divisor given = on_delaunay(s, singularities.value_or(Divisor()));
+  Divisor given = singularities.value_or(Divisor());
+  if (options.corners) append(given, *options.corners);
+  given = on_delaunay(s, std::move(given));
+  const bool has_boundary = s.delaunay.has_boundary();
+  const bool finds_corners = has_boundary && !options.corners
+    && std::none_of(given.begin(), given.end(), [](const Singularity& p) { return p.on_boundary; });
   if (!singularities || options.add_to_given) {
     const bool from_curvature = options.choice.start == Singularity_start::curvature
                              || options.choice.start == Singularity_start::automatic;
-    if (!singularities && options.optimize == Optimize::never && from_curvature)
+    if (!singularities && options.optimize == Optimize::never && from_curvature && !has_boundary)
       return curvature_divisor(s.delaunay, s.weights, s.laplacian, options.choice.count);   // the paper's
-    choice = choose_singularities(s, given, options.choice, options.legalization, options.distortion, visitor);
+    const auto choose = finds_corners ? choose_corners_and_singularities : choose_singularities;
+    choice = choose(s, given, options.choice, options.legalization, options.distortion, visitor);
     return choice->divisor;
   }
+  if (finds_corners) append(given, boundary_corners(s.delaunay));
   return options.repair_degree ? with_repaired_degree(s.delaunay, s.weights, given) : given;
-}
-
-// The same two steps on a surface with boundary, whose corners are among the singularities.
-void legalize_along_boundary(const Abel_jacobi_map& map, const std::optional<Divisor>& singularities,
-                             const Quartic_differential_options& options, Visitor& visitor,
-                             Quartic_differential_result& r)
-{
-  const Riemann_surface& s = *r.surface;
-  if (!singularities)
-    throw Infeasible_divisor_error("singularities are not chosen yet on surfaces with boundary: give them");
-  r.initial = on_delaunay(s, *singularities);
-  r.legal = legalize_divisor(map, *r.initial, options.legalization, visitor);
-  const Area_distortion distortion(s.delaunay, s.laplacian, vertex_areas(s.delaunay));
-  r.distortion = distortion.energy(distortion.log_scale(r.legal->divisor));
-  r.solves = distortion.solves();
 }
 
 // Step 5: onto the Abel-Jacobi variety, and along it to where areas are distorted least.
@@ -67,7 +65,8 @@ void legalize(const Abel_jacobi_map& map, const Riemann_surface& s, const Quarti
     r.legal = r.optimal->legal;
     r.distortion = r.optimal->distortion;
   } else {
-    r.legal = legalize_divisor(map, s.periods, *r.initial, options.legalization, visitor);
+    r.legal = s.delaunay.has_boundary() ? legalize_divisor(map, *r.initial, options.legalization, visitor)
+                                        : legalize_divisor(map, s.periods, *r.initial, options.legalization, visitor);
     r.distortion = distortion.energy(distortion.log_scale(r.legal->divisor));
   }
   r.solves = distortion.solves();
@@ -201,13 +200,9 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
   }
   {
     const Timed_step step(visitor, "legalization");
-    if (input.has_boundary()) {
-      legalize_along_boundary(*map, singularities, options, visitor, result);
-    } else {
-      result.initial = starting_divisor(s, singularities, options, visitor, result.choice);
-      legalize(*map, s, options, visitor, result);
-      result.image = image_of(*map, s, *result.legal);
-    }
+    result.initial = starting_divisor(s, singularities, options, visitor, result.choice);
+    legalize(*map, s, options, visitor, result);
+    if (!input.has_boundary()) result.image = image_of(*map, s, *result.legal);
   }
   result.metric = exact_cone_metric(s.delaunay, s.homology.cochains, result.legal->divisor, options.cone_metric, visitor,
                                     &s.laplacian);

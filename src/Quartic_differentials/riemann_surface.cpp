@@ -87,7 +87,7 @@ Riemann_surface riemann_surface(const Coarse_surface& coarse)
   s.delaunay = coarse.triangulation;
   s.homology.cochains = coarse.cochains;
   add_harmonic_forms(s);
-  s.periods = period_matrix(s.forms);
+  if (!s.delaunay.has_boundary()) s.periods = period_matrix(s.forms);
   return s;
 }
 

@@ -51,7 +51,7 @@ namespace {
 
 struct Run_options
 {
-  std::string                  mesh, folder, singularities;
+  std::string                  mesh, folder, singularities, corners = "auto";
   std::string                  command_line;
   bool                         quiet = false, intrinsic = false, html = true, patches_obj = false;
   bool                         each_component = false;
@@ -63,7 +63,7 @@ struct Run_options
 const char* const output_files[] = {
   "flat.obj", "flat.mtl", "flat.png", "flat.ply", "flat.vtp", "flat.vtu", "flat.glb", "flat_intrinsic.json",
   "flat_intrinsic.obj", "flat_intrinsic.mtl", "flat_intrinsic.png", "tmesh.json", "tmesh.vtp", "tmesh.obj",
-  "singularities.txt", "pareto.csv", "pareto.svg", "loops.obj",
+  "singularities.txt", "corners.txt", "pareto.csv", "pareto.svg", "loops.obj",
   "quads.obj", "quads.off", "quads.ply", "quads.vtu", "quads.png", "splines.xml", "splines.json", "splines.vtu",
   "tmesh.tsp", "picture_checkerboard.png", "picture_tmesh.png", "picture_quads.png", "picture_wireframe.png",
   "picture_loops.png",
@@ -131,6 +131,8 @@ void write_results(const Run_options& options, const Intrinsic_triangulation& in
     write_file(folder + "/loops.obj", [&](std::ostream& out) { write_loops_obj(out, input, *r.surface->loops); });
   if (!r.singularities.empty() && input.is_embedded())
     write_file(folder + "/singularities.txt", [&](std::ostream& out) { write_singularities(out, r.singularities, input); });
+  if (r.metric && input.has_boundary() && input.is_embedded())
+    write_file(folder + "/corners.txt", [&](std::ostream& out) { write_corners(out, r.singularities, input); });
   if (r.differential && r.immersion.flipped_triangles == 0) {
     write_file(folder + "/flat_intrinsic.json", [&](std::ostream& out) { write_flat_intrinsic_json(out, *r.differential); });
     if (r.refined && r.refined->flipped_triangles == 0) write_flat_surface(folder, *r.refined, options.surface_formats);
@@ -175,14 +177,29 @@ void write_quads(const std::string& folder, const Quads& quads, const Quartic_di
   write_file(folder + "/tmesh.tsp", [&](std::ostream& out) { write_t_spline(out, *r.t_mesh, r.traced()); });
 }
 
-std::optional<Divisor> divisor_from_file(const std::string& path, const Intrinsic_triangulation& input)
+std::ifstream opened(const std::string& path, const std::string& what)
 {
-  if (path.empty()) return std::nullopt;
   std::error_code error;
   std::ifstream in;
   if (fs::is_regular_file(path, error) || fs::is_fifo(path, error)) in.open(path);   // not a folder, nor /dev/zero
-  if (!in.is_open()) throw Infeasible_divisor_error("the file of singularities " + path + " cannot be read");
+  if (!in.is_open()) throw Infeasible_divisor_error("the file of " + what + " " + path + " cannot be read");
+  return in;
+}
+
+std::optional<Divisor> singularities_of(const Run_options& options, const Intrinsic_triangulation& input)
+{
+  if (options.singularities.empty()) return std::nullopt;
+  std::ifstream in = opened(options.singularities, "singularities");
   return read_singularities(in, input);
+}
+
+// none: they are found
+std::optional<Divisor> corners_of(const Run_options& options, const Intrinsic_triangulation& input)
+{
+  if (options.corners == "auto") return std::nullopt;
+  if (options.corners == "none") return Divisor();
+  std::ifstream in = opened(options.corners, "corners");
+  return read_corners(in, input);
 }
 
 // \param read takes the notes of what was done to the surface
@@ -197,13 +214,15 @@ void run(const Run_options& options, const std::function<Intrinsic_triangulation
 
   Intrinsic_triangulation input;
   std::optional<Divisor> singularities;
+  Quartic_differential_options pipeline = options.pipeline;
   {
     const internal::Timed_step step(timed, "read");
     input = read(facts.notes);
     if (input.has_boundary())
       if (const std::size_t added = split_obtuse_at_boundary(input); added > 0)
         facts.notes.push_back(std::to_string(added) + " vertices were added on the boundary, opposite obtuse angles");
-    singularities = divisor_from_file(options.singularities, input);
+    singularities = singularities_of(options, input);
+    pipeline.corners = corners_of(options, input);
   }
   facts.input = &input;
   if (options.pipeline.quads && !input.is_embedded())
@@ -219,7 +238,7 @@ void run(const Run_options& options, const std::function<Intrinsic_triangulation
   Quartic_differential_result result;
   std::exception_ptr failure;
   try {
-    quartic_differential(input, singularities, options.pipeline, progress, result);
+    quartic_differential(input, singularities, pipeline, progress, result);
   } catch (const Numerical_error& e) {   // what was computed is still written
     facts.failure = e.what();
     failure = std::current_exception();
@@ -284,6 +303,10 @@ void add_run(CLI::App& app, const std::string& command_line)
                       "run by itself into the folders component_0, component_1, ..., the largest first")
          ->transform(CLI::CheckedTransformer(components, CLI::ignore_case).description(""))
          ->type_name("one|each")->default_str("one")->excludes(singularities);
+  command->add_option("--corners", options->corners,
+                      "Corners of the boundary: 'auto' finds them where it turns, 'none' makes none, or a file with lines "
+                      "'x y z m [pinned]', m the number of quads there; the singularities are then chosen to go with them")
+         ->type_name("auto|none|FILE")->check(some_name())->capture_default_str();
   Singularity_choice_options& choice = options->pipeline.choice;
   command->add_option("--distortion", choice.distortion,
                       "Choose as few singularities as this area distortion allows: the mean square of the log of the "

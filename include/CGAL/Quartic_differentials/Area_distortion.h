@@ -41,7 +41,7 @@ public:
   const Intrinsic_triangulation& triangulation() const { return m_t; }
   const Eigen::VectorXd& mass() const { return m_mass; }
 
-  /// u. A degree other than 8g - 8 is made up for by curvature spread evenly over the area. One solve.
+  /// u. A degree other than 8g - 8 + 4b is made up for by curvature spread evenly over the area. One solve.
   Eigen::VectorXd log_scale(const Divisor& divisor) const;
   /// E
   double energy(const Eigen::VectorXd& u) const { return u.cwiseAbs2().dot(m_mass) / m_area; }
@@ -49,10 +49,11 @@ public:
   Eigen::VectorXd potential(const Eigen::VectorXd& u) const;
 
   /// The derivative of E by the positions, -(pi n_i / A) grad w(p_i), two entries (x, y in the unfolded frame of its
-  /// face) a singularity. Exact as long as the singularity stays in its face.
+  /// face) a singularity; of a corner along the boundary, and 0. Exact as long as the singularity stays in its face, or
+  /// on its edge.
   Eigen::VectorXd gradient(const Divisor& divisor, const Eigen::VectorXd& w) const;
   /// The same with a continuous field instead of grad w, which jumps at edges: at a vertex the mean over the faces round
-  /// it, weighted by area, in polar coordinates; linear in between.
+  /// it, weighted by area, in polar coordinates; linear in between. On the boundary it is tangent.
   Eigen::VectorXd recovered_gradient(const Divisor& divisor, const Eigen::VectorXd& w) const;
 
   /// the Green's functions G_a of points, by columns. One solve a column.
@@ -63,6 +64,7 @@ public:
 
 private:
   std::complex<double> face_gradient(Face f, const Eigen::VectorXd& w) const;
+  std::complex<double> vertex_gradient(Halfedge h, double share, const Eigen::VectorXd& w, bool along_boundary) const;
   Eigen::MatrixXd solve(Eigen::MatrixXd right_hand_sides) const;
 
   const Intrinsic_triangulation& m_t;

@@ -22,7 +22,7 @@ namespace Quartic_differentials {
 enum class Singularity_start
 {
   automatic,   ///< pairs, and the field where it has few singularities; the better of the two
-  curvature,   ///< the paper's: extrema of the curvature
+  curvature,   ///< the paper's: extrema of the curvature; of closed surfaces only
   field,       ///< the singularities of the smoothest 4-direction field, from which pairs are taken away
   pairs        ///< the least number, to which pairs of a pole and a zero are added
 };
@@ -76,11 +76,16 @@ struct Chosen_singularities
 /// given number of them with E as low as possible. Where the distortion cannot be met, pairs are added as long as they
 /// are worth it; what was reached stands in the result.
 ///
+/// On a surface with boundary, where it is straight but for the corners that are given, simple singularities are placed
+/// in the interior only; `boundary_corners()` finds corners. Corners that are not pinned slide to where they distort
+/// least.
+///
 /// Ignoring the Abel-Jacobi condition at first, it adds the pole and zero that lower E most (exactly, by Green's
 /// functions), moves all to a local minimum, takes away pairs that are not worth it, merges zeros that meet, and at last
 /// looks for the best of the nearest lattice vectors. Large surfaces are searched on an intrinsic coarsening.
 /// Deterministic.
-/// \param given singularities that must be part of it; they stay where they are if they are pinned
+/// \param surface of one with boundary `periods` and `zeros` are not used
+/// \param given singularities and corners that must be part of it; they stay where they are if they are pinned
 /// \throws Infeasible_divisor_error if the count is below the least possible one, or no legal divisor was found
 /// Complexity: a few factorisations, several hundred to thousands of back-substitutions on the searched surface.
 /// Source: METHOD, "Choosing the singularities".

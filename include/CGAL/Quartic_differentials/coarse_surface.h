@@ -26,10 +26,11 @@ struct Coarse_surface
 /// removes vertices until `vertices` are left, or none can be removed, deterministically.
 ///
 /// To remove a vertex, the edges at it are scaled by one factor so that its angles sum up to 2 pi, a discrete conformal
-/// map that leaves every other vertex alone; then it is a point of a flat polygon, which is triangulated without it.
-/// So log scale factors with respect to the coarse metric are those with respect to the fine one, at the vertices left.
-/// Vertices are never removed that have a loop, less than three or very many triangles, or that cannot be flattened.
-/// A surface that is coarse enough already is copied; otherwise the result is not embedded.
+/// map that leaves every other vertex alone; then it is a point of a flat polygon, which is triangulated without it. So
+/// log scale factors with respect to the coarse metric are those with respect to the fine one, at the vertices left.
+/// Vertices are never removed that are on the boundary, whose edges stay what they are, that have a loop, less than
+/// three or very many triangles, or that cannot be flattened. A surface that is coarse enough already is copied;
+/// otherwise the result is not embedded.
 /// \pre `t` is connected and intrinsic Delaunay, and every triangle has a positive area
 /// \throws Numerical_error if the flips to the Delaunay triangulation do not end
 /// \throws Unusable_surface_error if a triangle inequality is lost to rounding (not seen with angles of 0.03 degrees)

@@ -29,6 +29,8 @@ struct Singularity
 using Divisor = std::vector<Singularity>;
 
 int degree(const Divisor& d);
+/// the degree of every divisor on a surface: 8g - 8 + 4b. Complexity: linear.
+int required_degree(const Intrinsic_triangulation& t);
 std::vector<Surface_point> locations(const Divisor& d);
 
 } } // namespace CGAL::Quartic_differentials

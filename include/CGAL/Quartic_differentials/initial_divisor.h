@@ -11,7 +11,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-/// chooses simple poles at maxima and simple zeros at minima of the smoothed Gaussian curvature.
+/// chooses simple poles at maxima and simple zeros at minima of the smoothed Gaussian curvature of a closed surface.
 ///
 /// Without a count, the least number of singularities is taken, of ten from the minimum |8g-8| to 64 more, whose
 /// linearised flat metric has a range of scales within 1.1 times the least.
@@ -22,7 +22,8 @@ namespace Quartic_differentials {
 Divisor curvature_divisor(const Intrinsic_triangulation& t, const std::vector<double>& weights,
                           const Laplacian_solver& laplacian, int count);
 
-/// adds simple poles at maxima, or simple zeros at minima, of the smoothed curvature until the degree is 8g - 8.
+/// adds simple poles at maxima, or simple zeros at minima, of the smoothed curvature until the degree is 8g - 8 + 4b;
+/// never near the boundary.
 Divisor with_repaired_degree(const Intrinsic_triangulation& t, const std::vector<double>& weights, Divisor divisor);
 
 } } // namespace CGAL::Quartic_differentials

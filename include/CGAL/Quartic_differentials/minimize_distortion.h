@@ -26,6 +26,7 @@ struct Distortion_options
   double longest_step    = 0.05;    ///< of any singularity in one step, times sqrt(area)
   double guard_distance  = 0.023;   ///< nearer singularities repel each other, times sqrt(area)
   double guard_strength  = 0.1;     ///< the guard adds this times (1 - distance / guard_distance)^2 for every pair
+  double boundary_distance = 0.05;  ///< singularities nearer to the boundary are driven away likewise, times sqrt(area)
   double tolerance       = 1e-11;   ///< |F - (pi/2) m| after every step, radians
   int    memory          = 20;      ///< number of steps from which the curvature of E is estimated
 };
@@ -53,11 +54,12 @@ struct Optimal_divisor
 /// A projected quasi-Newton method (L-BFGS): gradients and directions are projected on the kernel of the derivative
 /// of F, every step walks along the surface and is followed by Gauss-Newton steps back to F = (pi/2) m; what is
 /// accepted lowers the objective (Armijo) and satisfies the Abel-Jacobi condition to `tolerance`. One solve gives the
-/// gradient for all singularities. Orders and number stay; pinned singularities stay where they are. At last the ones
-/// that reached a vertex move a few hundredths of an edge away from it.
+/// gradient for all singularities. Orders and number stay; pinned singularities stay where they are, and corners on the
+/// boundary. At last the ones that reached a vertex in the interior move a few hundredths of an edge away from it.
 /// Not promised: a global minimum. E has kinks where singularities cross edges; when they stop the line search, the
 /// result is as good as the mesh resolves.
 /// \param distortion of `map.triangulation()`
+/// \param periods not used on a surface with boundary, where the norm must be that of the least movement
 /// \throws everything that `legalize_divisor()` throws
 /// Complexity: two back-substitutions a step, one more for every step that is refused.
 /// Source: METHOD, "Choosing the singularities".

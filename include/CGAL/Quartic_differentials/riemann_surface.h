@@ -58,7 +58,8 @@ Divisor on_delaunay(const Riemann_surface& s, Divisor divisor);
 /// the inverse of `on_delaunay()`, up to rounding
 Divisor on_input(const Riemann_surface& s, Divisor divisor);
 
-/// computes steps 2 and 3 on a coarsened surface: there are no loops, no refinement and no zeros.
+/// computes steps 2 and 3 on a coarsened surface: there are no loops, no refinement and no zeros, and no period matrix
+/// of a surface with boundary.
 Riemann_surface riemann_surface(const Coarse_surface& coarse);
 
 } } // namespace CGAL::Quartic_differentials

@@ -60,6 +60,8 @@ void Moving_divisor::move(const Eigen::VectorXd& step)
   }
 }
 
+Eigen::VectorXd rounded_to_lattice(const Eigen::VectorXd& f) { return (f / quarter_turn).array().round(); }
+
 double longest_move(const Eigen::VectorXd& step)
 {
   double longest = 0;

@@ -24,6 +24,7 @@ const double quarter_turn = CGAL_PI / 2;
 // distances, times sqrt(area)
 const double from_singularities = 0.04;   // of a new one
 const double between_extrema    = 0.12;   // of the places looked at for a new one
+const double from_boundary      = 0.03;
 const double merge_distance     = 0.05;
 const int    extrema_of_each_sign = 3;
 const int    pairs_tried = 2;
@@ -46,14 +47,15 @@ Singularity_search::Singularity_search(const Area_distortion& distortion, const 
                                        const Singularity_choice_options& options, const Distortion_options& descent,
                                        Visitor& visitor)
   : m_distortion(distortion), m_map(map), m_t(distortion.triangulation()), m_kept(kept), m_options(options),
-    m_descent(descent), m_visitor(visitor), m_size(std::sqrt(m_t.area()))
+    m_descent(descent), m_visitor(visitor), m_size(std::sqrt(m_t.area())),
+    m_near_boundary(near_boundary(m_t, from_boundary * m_size))
 {}
 
-// The vertices where sign * w is least, apart from each other and from the singularities.
+// The vertices where sign * w is least, apart from each other, from the singularities and from the boundary.
 std::vector<Vertex> Singularity_search::extrema(const Divisor& divisor, const Eigen::VectorXd& w, int sign,
                                                 int count) const
 {
-  Taken_vertices taken(m_t);
+  Taken_vertices taken = m_near_boundary;
   for (const Singularity& s : divisor) taken.take(nearest_corner(m_t, s.location), from_singularities * m_size);
   std::vector<Vertex> found;
   while (static_cast<int>(found.size()) < count) {
@@ -69,7 +71,7 @@ std::vector<Vertex> Singularity_search::extrema(const Divisor& divisor, const Ei
 
 Divisor Singularity_search::completed(Divisor divisor) const
 {
-  const int missing = 8 * m_t.genus() - 8 - degree(divisor), order = missing > 0 ? 1 : -1;
+  const int missing = required_degree(m_t) - degree(divisor), order = missing > 0 ? 1 : -1;
   for (int k = 0; k < std::abs(missing); ++k) {
     const Eigen::VectorXd w = m_distortion.potential(m_distortion.log_scale(divisor));
     const std::vector<Vertex> place = extrema(divisor, w, -order, 1);   // poles at minima, zeros at maxima

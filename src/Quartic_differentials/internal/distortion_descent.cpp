@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/distortion_descent.h>
 #include <CGAL/Quartic_differentials/internal/near_pairs.h>
 
@@ -80,7 +81,7 @@ public:
   Problem(const Area_distortion& distortion, const std::optional<Eigen::VectorXd>& m, const Distortion_options& options,
           Visitor& visitor)
     : m_distortion(distortion), m_lattice_vector(m), m_options(options), m_visitor(visitor),
-      m_size(std::sqrt(distortion.triangulation().area())) {}
+      m_size(std::sqrt(distortion.triangulation().area())), m_has_boundary(distortion.triangulation().has_boundary()) {}
 
   double size() const { return m_size; }
 
@@ -89,6 +90,9 @@ public:
     Eigen::VectorXd u = m_distortion.log_scale(d.divisor());
     Distance_guard guard = distance_guard(m_distortion.triangulation(), d.divisor(), m_options.guard_distance * m_size,
                                           m_options.guard_strength);
+    if (m_has_boundary)
+      guard += boundary_guard(m_distortion.triangulation(), d.divisor(), m_options.boundary_distance * m_size,
+                              m_options.guard_strength);
     const double e = m_distortion.energy(u);
     const double residual = m_lattice_vector ? (d.residual() - quarter_turn * *m_lattice_vector).norm() : 0;
     const Distortion_step step{e, e + guard.value, residual, length};
@@ -139,6 +143,7 @@ private:
   const Distortion_options&             m_options;
   Visitor&                              m_visitor;
   double                                m_size;
+  bool                                  m_has_boundary;
 };
 
 // whether the last five steps together gained less than the given part of the objective
@@ -147,15 +152,43 @@ bool stagnates(const std::vector<Distortion_step>& h, double enough)
   return h.size() > 5 && h[h.size() - 6].objective - h.back().objective < enough * h.back().objective;
 }
 
+// Adds the ways between corners along the boundary, of length up to `distance`: in the frame of the face of the first.
+template <class Visit>
+void visit_near_corners(const Intrinsic_triangulation& t, const Divisor& divisor, double distance, Visit visit)
+{
+  for (std::size_t i = 0; i < divisor.size(); ++i)
+    for (std::size_t k = 0; k < divisor.size(); ++k) {
+      if (i == k || !divisor[i].on_boundary || !divisor[k].on_boundary) continue;
+      const Boundary_place from = boundary_place(t, divisor[i].location), to = boundary_place(t, divisor[k].location);
+      const double way = way_along_boundary(t, from, to, distance);
+      if (way > distance) continue;
+      visit(i, k, way * boundary_direction(t, from.halfedge));
+      visit(k, i, -way * boundary_direction(t, to.halfedge));
+    }
+}
+
+// of corners only the part along the boundary is left
+void project_on_boundary(const Intrinsic_triangulation& t, const Divisor& divisor, Eigen::VectorXd& gradient)
+{
+  for (std::size_t i = 0; i < divisor.size(); ++i) {
+    if (!divisor[i].on_boundary) continue;
+    const std::complex<double> g(gradient[2 * i], gradient[2 * i + 1]);
+    const std::complex<double> along = boundary_direction(t, boundary_place(t, divisor[i].location).halfedge);
+    gradient.segment<2>(2 * i) << (g * std::conj(along)).real(), 0;
+  }
+}
+
 } // namespace
 
 Distance_guard distance_guard(const Intrinsic_triangulation& t, const Divisor& divisor, double distance, double strength)
 {
   std::map<std::pair<std::size_t, std::size_t>, std::complex<double>> shortest;
-  visit_near_pairs(t, locations(divisor), distance, [&](std::size_t i, std::size_t k, std::complex<double> way) {
+  const auto note = [&](std::size_t i, std::size_t k, std::complex<double> way) {
     const auto [known, is_new] = shortest.emplace(std::make_pair(i, k), way);
     if (!is_new && std::abs(way) < std::abs(known->second)) known->second = way;
-  });
+  };
+  visit_near_pairs(t, locations(divisor), distance, note);
+  visit_near_corners(t, divisor, distance, note);
   Distance_guard guard{0, Eigen::VectorXd::Zero(2 * divisor.size())};
   for (const auto& [pair, way] : shortest) {
     const double d = std::abs(way), missing = 1 - d / distance;
@@ -164,6 +197,23 @@ Distance_guard distance_guard(const Intrinsic_triangulation& t, const Divisor& d
     guard.value += 0.5 * strength * missing * missing;   // half, as every pair is seen from both ends
     guard.gradient[2 * pair.first] += 2 * strength * missing / distance * towards.real();
     guard.gradient[2 * pair.first + 1] += 2 * strength * missing / distance * towards.imag();
+  }
+  project_on_boundary(t, divisor, guard.gradient);
+  return guard;
+}
+
+Distance_guard boundary_guard(const Intrinsic_triangulation& t, const Divisor& divisor, double distance,
+                              double strength)
+{
+  Distance_guard guard{0, Eigen::VectorXd::Zero(2 * divisor.size())};
+  for (std::size_t i = 0; i < divisor.size(); ++i) {
+    if (divisor[i].on_boundary) continue;
+    const auto way = way_to_boundary(t, divisor[i].location, distance);
+    if (!way || *way == 0.) continue;
+    const double d = std::abs(*way), missing = 1 - d / distance;
+    const std::complex<double> slope = 2 * strength * missing / distance * *way / d;
+    guard.value += strength * missing * missing;
+    guard.gradient.segment<2>(2 * i) << slope.real(), slope.imag();
   }
   return guard;
 }

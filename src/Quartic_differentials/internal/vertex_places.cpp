@@ -16,7 +16,7 @@ Surface_point beside(const Intrinsic_triangulation& t, Vertex v)
   const Halfedge first = t.halfedge_from(v);
   Halfedge h = first;
   for (Halfedge k = t.next_around_source(first); k != first; k = t.next_around_source(k))
-    if (t.target(k) < t.target(h)) h = k;
+    if (!t.is_border(k) && t.target(k) < t.target(h)) h = k;
   Surface_point p{t.face(h), {0.3, 0.3, 0.3}};
   p.barycentric[t.corner(h)] = 0.4;
   return p;
@@ -35,6 +35,14 @@ void Taken_vertices::take(Vertex v, double distance)
     m_taken[u] = true;
     return true;
   });
+}
+
+Taken_vertices near_boundary(const Intrinsic_triangulation& t, double distance)
+{
+  Taken_vertices near(t);
+  for (const auto& curve : t.boundary_curves())
+    for (Halfedge h : curve) near.take(t.source(h), distance);
+  return near;
 }
 
 } } } // namespace CGAL::Quartic_differentials::internal

@@ -18,10 +18,25 @@ namespace Quartic_differentials {
 /// Complexity: O(n) to build a search tree, O(log n) a line.
 Divisor read_singularities(std::istream& in, const Intrinsic_triangulation& surface);
 
-/// writes a divisor in the form that `read_singularities` reads, with coordinates that read back to the same doubles.
+/// writes a divisor but for its corners in the form that `read_singularities` reads, with coordinates that read back to
+/// the same doubles.
 /// \param divisor on the faces of `surface`
 /// \throws Unusable_surface_error if `surface` is not embedded
 void write_singularities(std::ostream& out, const Divisor& divisor, const Intrinsic_triangulation& surface);
+
+/// reads corners of the boundary: lines `x y z m [pinned]`, m the number of quads at the corner, `#` begins a comment;
+/// every point is taken to the nearest point of the boundary.
+/// \throws Infeasible_divisor_error naming the line that cannot be read, that has m < 1 or m = 2, which is no corner,
+///         or whose point is farther from the boundary than 0.05 * sqrt(area); or if `surface` is not embedded, or has no
+///         boundary
+/// Complexity: linear in the length of the boundary for every line.
+Divisor read_corners(std::istream& in, const Intrinsic_triangulation& surface);
+
+/// writes the corners of a divisor in the form that `read_corners` reads, with coordinates that read back to the same
+/// doubles.
+/// \param divisor on the faces of `surface`
+/// \throws Unusable_surface_error if `surface` is not embedded
+void write_corners(std::ostream& out, const Divisor& divisor, const Intrinsic_triangulation& surface);
 
 } } // namespace CGAL::Quartic_differentials
 

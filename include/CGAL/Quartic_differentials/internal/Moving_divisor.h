@@ -47,6 +47,9 @@ private:
   std::vector<double>    m_moved_by;
 };
 
+/// the m for which (pi/2) m is nearest to F, by coordinates
+Eigen::VectorXd rounded_to_lattice(const Eigen::VectorXd& f);
+
 /// the length of the longest of the displacements
 double longest_move(const Eigen::VectorXd& step);
 

@@ -9,6 +9,7 @@
 #include <CGAL/Quartic_differentials/abel_jacobi_map.h>
 #include <CGAL/Quartic_differentials/choose_singularities.h>
 #include <CGAL/Quartic_differentials/divisor.h>
+#include <CGAL/Quartic_differentials/internal/vertex_places.h>
 
 #include <Eigen/Core>
 
@@ -20,7 +21,7 @@ namespace Quartic_differentials {
 namespace internal {
 
 /// The moves of the search for singularities of low distortion that ignores the Abel-Jacobi condition. Every move ends
-/// in a local minimum.
+/// in a local minimum. Only in the interior are singularities added; corners are among those that must stay.
 class Singularity_search
 {
 public:
@@ -38,7 +39,7 @@ public:
   Singularity_search(const Area_distortion& distortion, const Abel_jacobi_map& map, std::size_t kept,
                      const Singularity_choice_options& options, const Distortion_options& descent, Visitor& visitor);
 
-  /// simple singularities are added one by one at extrema of the potential until the degree is 8g - 8
+  /// simple singularities are added one by one at extrema of the potential until the degree is 8g - 8 + 4b
   Divisor completed(Divisor divisor) const;
   /// a local minimum near by
   Candidate relaxed(const Divisor& divisor, int iterations, double enough);
@@ -68,6 +69,7 @@ private:
   const Distortion_options&         m_descent;
   Visitor&                          m_visitor;
   double                            m_size;
+  Taken_vertices                    m_near_boundary;
   std::map<int, Candidate>          m_best;
 };
 

@@ -7,6 +7,12 @@
 
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/geodesic_disk.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <optional>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -26,6 +32,14 @@ inline Boundary_place boundary_place(const Intrinsic_triangulation& t, const Sur
   for (int k = 0; k < 3; ++k)
     if (p.barycentric[(k + 2) % 3] == 0 && t.is_border(t.opposite(h[k]))) return {h[k], p.barycentric[(k + 1) % 3]};
   return {Mesh::null_halfedge(), 0};
+}
+
+/// the direction of a boundary edge, with the surface on its left, in the unfolded frame of its face
+inline std::complex<double> boundary_direction(const Intrinsic_triangulation& t, Halfedge h)
+{
+  const auto z = t.unfolded(t.face(h));
+  const int k = t.corner(h);
+  return (z[(k + 1) % 3] - z[k]) / t.length(h);
 }
 
 /// slides a point along the boundary, the surface on its left if the distance is positive; `crossing(before, after)` gets
@@ -53,6 +67,39 @@ Surface_point slide(const Intrinsic_triangulation& t, const Surface_point& p, do
     }
   }
   throw Numerical_error("a way along the boundary passes more than 100000 vertices");
+}
+
+/// the way from one place on the boundary to another with the surface on the left, or infinity if it is longer than
+/// `most` or there is none
+inline double way_along_boundary(const Intrinsic_triangulation& t, const Boundary_place& from, const Boundary_place& to,
+                                 double most)
+{
+  if (from.halfedge == to.halfedge && from.fraction <= to.fraction)
+    return (to.fraction - from.fraction) * t.length(from.halfedge);
+  double way = (1 - from.fraction) * t.length(from.halfedge);
+  for (Halfedge h = t.next_on_boundary(from.halfedge); way <= most && h != from.halfedge; h = t.next_on_boundary(h)) {
+    if (h == to.halfedge) return way + to.fraction * t.length(h);
+    way += t.length(h);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// the straight way to the nearest point of the boundary, in the unfolded frame of the point's face; none if it is
+/// longer than `radius`
+inline std::optional<std::complex<double>> way_to_boundary(const Intrinsic_triangulation& t, const Surface_point& p,
+                                                           double radius)
+{
+  std::optional<std::complex<double>> shortest;
+  explore_geodesic_disk(t, p, radius, [&](const Unfolded_face& f, std::complex<double>, std::complex<double>) {
+    const auto h = t.halfedges(t.face(f.halfedge));
+    const auto z = f.corners(t);
+    for (int k = 0; k < 3; ++k) {
+      if (!t.is_border(t.opposite(h[k]))) continue;
+      const std::complex<double> way = nearest_on_segment(z[k], z[(k + 1) % 3]);
+      if (std::abs(way) <= (shortest ? std::abs(*shortest) : radius)) shortest = way;
+    }
+  });
+  return shortest;
 }
 
 } } } // namespace CGAL::Quartic_differentials::internal

@@ -35,15 +35,26 @@ Descent descend(const Area_distortion& distortion, const Moving_divisor& start,
                 const std::optional<Eigen::VectorXd>& lattice_vector, const Distortion_options& options,
                 Visitor& visitor);
 
-/// The penalty on pairs of singularities that are nearer than a distance, and its derivative by the positions (in the
-/// unfolded frames of their faces).
+/// The penalty on singularities that are nearer to each other, or to the boundary, than a distance, and its derivative
+/// by the positions (in the unfolded frames of their faces; of corners along the boundary, and 0).
 struct Distance_guard
 {
   double          value;
   Eigen::VectorXd gradient;
+
+  Distance_guard& operator+=(const Distance_guard& other)
+  {
+    value += other.value;
+    gradient += other.gradient;
+    return *this;
+  }
 };
+/// of pairs of singularities.
 /// \param distance in surface units
 Distance_guard distance_guard(const Intrinsic_triangulation& t, const Divisor& divisor, double distance, double strength);
+/// of singularities in the interior and the boundary
+Distance_guard boundary_guard(const Intrinsic_triangulation& t, const Divisor& divisor, double distance,
+                              double strength);
 
 } } } // namespace CGAL::Quartic_differentials::internal
 

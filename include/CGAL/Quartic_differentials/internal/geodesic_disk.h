@@ -16,13 +16,17 @@ namespace internal {
 
 inline double cross(std::complex<double> a, std::complex<double> b) { return (std::conj(a) * b).imag(); }
 
-/// the square of the distance of the origin from the segment ab
-inline double squared_distance_to_segment(std::complex<double> a, std::complex<double> b)
+/// the point of the segment ab that is nearest to the origin
+inline std::complex<double> nearest_on_segment(std::complex<double> a, std::complex<double> b)
 {
   const std::complex<double> e = b - a;
   const double s = -(a.real() * e.real() + a.imag() * e.imag()) / std::norm(e);
-  return std::norm(s <= 0 ? a : s >= 1 ? b : a + s * e);
+  return s <= 0 ? a : s >= 1 ? b : a + s * e;
 }
+
+/// the square of the distance of the origin from the segment ab
+inline double squared_distance_to_segment(std::complex<double> a, std::complex<double> b)
+{ return std::norm(nearest_on_segment(a, b)); }
 
 /// A face unfolded into the plane: where source, target and the vertex opposite one of its halfedges lie.
 struct Unfolded_face

@@ -65,6 +65,9 @@ private:
   std::vector<char>              m_taken;
 };
 
+/// the vertices on the boundary, and those within a distance of them along edges
+Taken_vertices near_boundary(const Intrinsic_triangulation& t, double distance);
+
 } } } // namespace CGAL::Quartic_differentials::internal
 
 #endif // CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_VERTEX_PLACES_H
