@@ -131,8 +131,6 @@ void check_broken_surfaces()
 {
   const double huge = 1e300, tiny = 1e-300, no_number = std::nan(""), infinite = HUGE_VAL;
   const std::vector<std::pair<std::string, Soup>> kinds{
-    {"boundary", changed(tetrahedron, [](Soup& s) { s.faces.pop_back(); })},
-    {"one face", changed(tetrahedron, [](Soup& s) { s.faces.resize(1); })},
     {"no face", changed(tetrahedron, [](Soup& s) { s.faces.clear(); })},
     {"no vertex", {}},
     {"edge with three faces", changed(tetrahedron, [](Soup& s) { s.points.push_back({1, 1, 1}); s.faces.push_back({0, 1, 4}); })},

@@ -244,8 +244,8 @@ void check_choice()
 
 void check_refused_input()
 {
-  std::ofstream(folder / "open.off") << "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";
-  check_failure("run open.off -o refused", 2, "surfaces with boundary are not supported yet: this one has 1 boundary curve");
+  std::ofstream(folder / "fan.off") << "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 1 2 3\n";
+  check_failure("run fan.off -o refused", 2, "are oriented against each other");
   CHECK(!fs::exists(folder / "refused"));
   std::ofstream(folder / "pair.txt") << "3 0 0 1\n-3 0 0 -1\n";
   check_failure("run torus.ply -o pair --singularities pair.txt", 2, "genus 1");

@@ -95,7 +95,7 @@ void test_plate()
 
 void test_choices_of_corners()
 {
-  succeeds("sample plate --shape rectangle -n 4 -o rectangle.off");
+  succeeds("sample plate --shape rectangle -n 6 -o rectangle.off");
   succeeds("run rectangle.off -o none -q --corners none --count 4");
   check_t_mesh("none", 0, 1);
   CHECK(json_file("none/report.json")["corners"].empty());
@@ -131,6 +131,16 @@ void test_handle()
   succeeds("render cut --view tmesh --size 300");
 }
 
+// Three triangles, and one, are surfaces with boundary, but have no vertex where a singularity could start.
+void test_small_surfaces()
+{
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+  std::ofstream(folder / "three.off") << "OFF\n4 3 0\n" << points << "0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";
+  std::ofstream(folder / "one.off") << "OFF\n3 1 0\n" << points << "3 0 1 2\n";
+  refused("run three.off -o refused -q", "the surface has no room for");
+  refused("run one.off -o refused -q", "the surface has no room for");
+}
+
 // Closed surfaces have no corners.
 void test_closed()
 {
@@ -150,6 +160,7 @@ int main()
   test_plate();
   test_choices_of_corners();
   test_handle();
+  test_small_surfaces();
   test_closed();
   return Quartic_test::result();
 }
