@@ -4,9 +4,11 @@
 
 #include <CGAL/Quartic_differentials/multipatch.h>
 
+#include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Cubic_basis.h>
 #include <CGAL/Quartic_differentials/internal/Distance_sum.h>
 #include <CGAL/Quartic_differentials/internal/Input_surface.h>
+#include <CGAL/Quartic_differentials/internal/Nearest_boundary_point.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -95,13 +97,19 @@ class Layout_fit
 {
 public:
   Layout_fit(const Intrinsic_triangulation& input, const Mesh& quads)
-    : m_input(input), m_quads(quads), m_layout(quad_layout(quads))
+    : m_input(input), m_boundary(input), m_quads(quads), m_layout(quad_layout(quads)),
+      m_is_on_boundary(m_layout.patches.size(), {false, false, false, false})
   {
-    for (const Quad_layout::Patch& p : m_layout.patches) {
-      m_samples.push_back(samples(p));
-      m_control.push_back(zero(p.size[0] + 3, p.size[1] + 3));
+    if (!m_layout.boundary.empty() && !input.has_boundary())
+      throw Unusable_surface_error("the quad mesh has a boundary, but not the surface to which splines are fitted");
+    for (const Quad_layout::Side& s : m_layout.boundary) m_is_on_boundary[s.patch][s.side] = true;
+    for (std::size_t p = 0; p < m_layout.patches.size(); ++p) {
+      const auto [n_u, n_v] = m_layout.patches[p].size;
+      m_samples.push_back(samples(m_layout.patches[p], m_is_on_boundary[p]));
+      m_control.push_back(zero(n_u + 3, n_v + 3));
     }
     for (const Quad_layout::Interface& i : m_layout.interfaces) fit_sides(i);
+    for (const Quad_layout::Side& s : m_layout.boundary) fit_side(s);
     for (std::size_t p = 0; p < m_layout.patches.size(); ++p) fit_inside(p);
   }
 
@@ -109,6 +117,7 @@ public:
   {
     Multipatch result;
     result.interfaces = m_layout.interfaces;
+    result.boundary = m_layout.boundary;
     for (std::size_t p = 0; p < m_layout.patches.size(); ++p) {
       Multipatch::Patch patch{m_layout.patches[p].size, {}, {}};
       const auto& [x, y, z] = m_control[p];
@@ -126,8 +135,9 @@ private:
     return {x, x, x};
   }
 
-  // Vertices stay as they are, so that all patches round them agree; the points between them move to the surface.
-  Coordinates samples(const Quad_layout::Patch& patch) const
+  // Vertices stay as they are, so that all patches round them agree; the points between them move to the surface, those
+  // on sides on the boundary to the surface's boundary.
+  Coordinates samples(const Quad_layout::Patch& patch, const std::array<bool, 4>& is_on_boundary) const
   {
     const std::vector<Vertex> v = grid_vertices(m_quads, patch);
     const auto [n_u, n_v] = patch.size;
@@ -141,7 +151,10 @@ private:
         const Point_3 q = between(between(corner[0], corner[1], s), between(corner[n_u + 1], corner[n_u + 2], s), t);
         place = m_input.nearest(q, place);
         const bool is_vertex = i % intervals == 0 && j % intervals == 0;
-        for (int k = 0; k < 3; ++k) result[k](i, j) = is_vertex ? q[k] : place.point[k];
+        const bool on_boundary = (is_on_boundary[0] && j == 0) || (is_on_boundary[1] && i == intervals * n_u)
+                              || (is_on_boundary[2] && j == intervals * n_v) || (is_on_boundary[3] && i == 0);
+        const Point_3 sample = is_vertex ? q : on_boundary ? m_boundary(q) : place.point;
+        for (int k = 0; k < 3; ++k) result[k](i, j) = sample[k];
       }
     return result;
   }
@@ -153,12 +166,18 @@ private:
 
   const Span_fit& fit(std::size_t n) { return m_fits.try_emplace(n, n).first->second; }
 
+  void fit_side(const Quad_layout::Side& s)
+  {
+    const Span_fit& along = fit(m_layout.patches[s.patch].size[s.side % 2]);
+    for (int k = 0; k < 3; ++k)
+      set_on_side(m_control[s.patch][k], s.side, along.curve(on_side(m_samples[s.patch][k], s.side)));
+  }
+
   void fit_sides(const Quad_layout::Interface& i)
   {
-    const Span_fit& along = fit(m_layout.patches[i.first.patch].size[i.first.side % 2]);
+    fit_side(i.first);
     for (int k = 0; k < 3; ++k) {
-      const Eigen::VectorXd x = along.curve(on_side(m_samples[i.first.patch][k], i.first.side));
-      set_on_side(m_control[i.first.patch][k], i.first.side, x);
+      const Eigen::VectorXd x = on_side(m_control[i.first.patch][k], i.first.side);
       set_on_side(m_control[i.second.patch][k], i.second.side, x.reverse());
     }
   }
@@ -176,8 +195,10 @@ private:
   }
 
   const Input_surface             m_input;
+  const internal::Nearest_boundary_point m_boundary;
   const Mesh&                     m_quads;
   const Quad_layout               m_layout;
+  std::vector<std::array<bool, 4>> m_is_on_boundary;      // by patch: its sides
   std::vector<Coordinates>        m_samples, m_control;   // by patch
   std::map<std::size_t, Span_fit> m_fits;                 // by number of spans
 };
@@ -202,28 +223,33 @@ std::vector<Point_3> control_points(const Multipatch::Patch& patch, int side)
 
 std::string defect(const Multipatch& m)
 {
-  std::vector<std::array<int, 4>> interfaces(m.patches.size(), {0, 0, 0, 0});
+  std::vector<std::array<int, 4>> uses(m.patches.size(), {0, 0, 0, 0});   // by side
   for (std::size_t p = 0; p < m.patches.size(); ++p) {
     const auto [n_u, n_v] = m.patches[p].spans;
     if (n_u == 0 || n_v == 0 || m.patches[p].control_points.size() != (n_u + 3) * (n_v + 3)
         || m.patches[p].quads.size() != n_u * n_v)
       return "the sizes of patch " + std::to_string(p) + " do not fit";
   }
+  const auto exists = [&](const Multipatch::Side& s) { return s.patch < m.patches.size() && 0 <= s.side && s.side < 4; };
   for (const Multipatch::Interface& i : m.interfaces) {
     for (const Multipatch::Side& s : {i.first, i.second}) {
-      if (s.patch >= m.patches.size() || s.side < 0 || s.side > 3) return "an interface has a side that does not exist";
-      ++interfaces[s.patch][s.side];
+      if (!exists(s)) return "an interface has a side that does not exist";
+      ++uses[s.patch][s.side];
     }
     const std::vector<Point_3> first = control_points(m.patches[i.first.patch], i.first.side);
     const std::vector<Point_3> second = control_points(m.patches[i.second.patch], i.second.side);
     if (!std::equal(first.begin(), first.end(), second.rbegin(), second.rend()))
       return "patches " + std::to_string(i.first.patch) + " and " + std::to_string(i.second.patch) + " do not meet";
   }
+  for (const Multipatch::Side& s : m.boundary) {
+    if (!exists(s)) return "the boundary has a side that does not exist";
+    ++uses[s.patch][s.side];
+  }
   for (std::size_t p = 0; p < m.patches.size(); ++p)
     for (int k = 0; k < 4; ++k)
-      if (interfaces[p][k] != 1)
+      if (uses[p][k] != 1)
         return "side " + std::to_string(k) + " of patch " + std::to_string(p) + " is on "
-               + std::to_string(interfaces[p][k]) + " interfaces";
+               + std::to_string(uses[p][k]) + " interfaces or parts of the boundary";
   return {};
 }
 

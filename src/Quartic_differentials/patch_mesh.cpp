@@ -154,7 +154,8 @@ private:
     for (Vertex v : triangulation().vertices())
       m_order[m_mesh.add_vertex(triangulation().mesh().point(v))] = m_q.order[v];
     for (Halfedge h : triangulation().halfedges())
-      m_place[triangulation().source(h)] = {m_refined.input_face[triangulation().face(h)], m_refined.input_corner[h]};
+      if (!triangulation().is_border(h))
+        m_place[triangulation().source(h)] = {m_refined.input_face[triangulation().face(h)], m_refined.input_corner[h]};
   }
 
   Vertex vertex(const Chart_point& p)

@@ -49,8 +49,9 @@ public:
     m_to = in_exact_range(m_to_chart(in_exact_range(z)));
     if (m_to == m_from) return;
     m_here = m_from;
-    while (exit() == Mesh::null_halfedge()) cross(edge_with_start());
-    for (Halfedge h = exit(); is_beyond(h); h = exit()) cross(h);
+    while (const std::optional<Halfedge> h = next_edge())
+      if (is_on_boundary(*h)) pass_end_of(*h);
+      else                    cross(*h);
     m_from = m_to;
     m_points.push_back(on_input(barycentric(m_to)));
   }
@@ -69,6 +70,44 @@ private:
   {
     const auto halfedges = m_q.triangulation.halfedges(m_face);
     return std::all_of(halfedges.begin(), halfedges.end(), [&](Halfedge h) { return side(h, z) >= 0; });
+  }
+
+  bool is_on_boundary(Halfedge h) const { return m_q.triangulation.is_border(m_q.triangulation.opposite(h)); }
+
+  // The edge through which the walk has to leave the face, or the boundary edge along which it has to leave it.
+  std::optional<Halfedge> next_edge() const
+  {
+    Halfedge h = exit();
+    if (h != Mesh::null_halfedge()) return is_beyond(h) ? std::make_optional(h) : std::nullopt;
+    h = edge_with_start();
+    const bool ends_on_it = side(h, m_to) == 0 && dot(m_to - m_from, target(h) - m_to) >= 0;
+    return is_on_boundary(h) && ends_on_it ? std::nullopt : std::make_optional(h);
+  }
+
+  static __int128 dot(Grid_vector a, Grid_vector b)
+  { return static_cast<__int128>(a.x) * b.x + static_cast<__int128>(a.y) * b.y; }
+
+  // Past the end of a boundary edge, the line has the boundary on its right, if it is still on the surface: it turns
+  // clockwise round that vertex.
+  void pass_end_of(Halfedge h)
+  {
+    if (side_of_line(target(h)) != 0 || dot(m_to - m_from, target(h) - m_from) <= 0)
+      throw Numerical_error("a polyline leaves the surface through its boundary");
+    m_here = target(h);
+    m_points.push_back(on_input(barycentric(*m_here)));
+    for (h = m_q.triangulation.next(h); !holds_line(h); h = m_q.triangulation.next(m_q.triangulation.opposite(h))) {
+      if (is_on_boundary(h)) throw Numerical_error("a polyline leaves the surface through its boundary");
+      enter_through(h);
+    }
+  }
+
+  // whether the line goes on from source(h), where it is, into face(h) or along h
+  bool holds_line(Halfedge h) const
+  {
+    const Grid_vector line = m_to - m_from, right = target(h) - source(h);
+    const __int128 s = side_of_line(target(h));
+    return s == 0 ? dot(line, right) > 0
+                  : s < 0 && side_of_line(source(m_q.triangulation.prev(h))) > 0;
   }
 
   // positive if z is on the left of the line

@@ -6,7 +6,6 @@
 
 #include <CGAL/Quartic_differentials/exceptions.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -22,12 +21,12 @@ class Cut_quads
 public:
   explicit Cut_quads(const Mesh& m) : m_m(m), m_is_cut(m.num_edges(), false)
   {
+    for (Edge e : m.edges()) m_is_cut[e] = m.is_border(e);
+    bool all_are_regular = true;
+    for (Vertex v : m.vertices()) all_are_regular = all_are_regular && is_regular(v);
     for (Halfedge h : m.halfedges())
       if (!is_regular(m.source(h))) cut(h);
-    const Halfedge any = *m.halfedges().begin();
-    if (std::count(m_is_cut.begin(), m_is_cut.end(), true) > 0) return;
-    cut(any);
-    cut(m.next(any));
+    if (all_are_regular) cut_regular();
   }
 
   Quad_layout layout() const
@@ -43,26 +42,41 @@ public:
           taken += result.patches.back().quads.size();
         }
     if (taken != m_m.number_of_faces()) throw Unusable_surface_error("the quad mesh is not connected");
-    result.interfaces = interfaces(result);
+    add_sides(result);
     return result;
   }
 
 private:
-  std::vector<Quad_layout::Interface> interfaces(const Quad_layout& layout) const
+  // a torus, or an annulus
+  void cut_regular()
+  {
+    for (Halfedge h : m_m.halfedges())
+      if (m_m.is_border(m_m.source(h)) && !is_cut(h)) return cut(h);
+    const Halfedge any = *m_m.halfedges().begin();
+    cut(any);
+    cut(m_m.next(any));
+  }
+
+  // sorts the sides of the patches
+  void add_sides(Quad_layout& layout) const
   {
     std::vector<Quad_layout::Side> side_of(m_m.num_halfedges());   // that end with a halfedge
     for (std::size_t p = 0; p < layout.patches.size(); ++p)
       for (int k = 0; k < 4; ++k) side_of[last_on_side(layout.patches[p], k)] = {p, k};
-    std::vector<Quad_layout::Interface> result;
     for (std::size_t p = 0; p < layout.patches.size(); ++p)
       for (int k = 0; k < 4; ++k) {
-        const Quad_layout::Side other = side_of[m_m.opposite(first_on_side(layout.patches[p], k))];
-        if (p < other.patch || (p == other.patch && k < other.side)) result.push_back({{p, k}, other});
+        const Halfedge outside = m_m.opposite(first_on_side(layout.patches[p], k));
+        if (m_m.is_border(outside)) {
+          layout.boundary.push_back({p, k});
+          continue;
+        }
+        const Quad_layout::Side other = side_of[outside];
+        if (p < other.patch || (p == other.patch && k < other.side)) layout.interfaces.push_back({{p, k}, other});
       }
-    return result;
   }
 
-  bool is_regular(Vertex v) const { return m_m.degree(v) == 4; }
+  // by its edges
+  bool is_regular(Vertex v) const { return m_m.degree(v) == (m_m.is_border(v) ? 3 : 4); }
   bool is_cut(Halfedge h) const { return m_is_cut[m_m.edge(h)]; }
   // the quad is the first of its patch, and h runs along the first row
   bool is_corner(Halfedge h) const { return is_cut(h) && is_cut(m_m.prev(h)); }
@@ -71,10 +85,13 @@ private:
   Halfedge in_next_column(Halfedge h) const { return straight_on(h); }
   Halfedge in_next_row(Halfedge h) const { return m_m.opposite(m_m.next(m_m.next(h))); }
 
-  // along a line; past an irregular vertex too, since all edges there are cut
+  // along a line, to the boundary, which is cut; past an irregular vertex too, since all edges there are cut
   void cut(Halfedge h)
   {
-    for (; !is_cut(h); h = straight_on(h)) m_is_cut[m_m.edge(h)] = true;
+    for (; !is_cut(h); h = straight_on(h)) {
+      m_is_cut[m_m.edge(h)] = true;
+      if (m_m.is_border(m_m.target(h))) return;
+    }
   }
 
   Quad_layout::Patch patch(Halfedge corner) const
@@ -112,16 +129,13 @@ private:
   std::vector<char> m_is_cut;   // by edge
 };
 
-void require_closed_quads(const Mesh& m)
+void require_quads(const Mesh& m)
 {
   if (m.number_of_faces() == 0) throw Unusable_surface_error("the quad mesh has no faces");
   for (Face f : m.faces())
     if (m.degree(f) != 4)
       throw Unusable_surface_error("face " + std::to_string(f.idx()) + " has " + std::to_string(m.degree(f))
                                    + " corners: a layout is made of quads");
-  for (Halfedge h : m.halfedges())
-    if (m.is_border(h))
-      throw Unusable_surface_error("the quad mesh has a boundary at vertex " + std::to_string(m.target(h).idx()));
 }
 
 } // namespace
@@ -144,7 +158,7 @@ std::vector<Vertex> grid_vertices(const Mesh& quads, const Quad_layout::Patch& p
 
 Quad_layout quad_layout(const Mesh& quads)
 {
-  require_closed_quads(quads);
+  require_quads(quads);
   return Cut_quads(quads).layout();
 }
 

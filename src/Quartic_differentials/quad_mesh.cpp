@@ -4,6 +4,8 @@
 
 #include <CGAL/Quartic_differentials/quad_mesh.h>
 
+#include "internal/grid_lines.h"
+
 #include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Patch_locator.h>
@@ -15,6 +17,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace CGAL {
@@ -35,7 +38,9 @@ public:
   Placement(const T_mesh& t, const std::vector<int>& q, const Quad_grid& grid, const Quartic_differential& differential)
     : m_t(t), m_q(q), m_grid(grid), m_locator(t, differential), m_place(grid.number_of_points())
   {
-    place_nodes();
+    place_nodes(true);
+    place_boundary();
+    place_nodes(false);
     for (std::size_t p = 0; p < t.patches.size(); ++p) place_sides(p);
     place_inner_points();
   }
@@ -50,12 +55,30 @@ private:
     if (!place) place = p;
   }
 
-  void place_nodes()
+  void place_nodes(bool singular)
   {
-    for (bool singular : {true, false})
-      for (std::size_t n = 0; n < m_t.nodes.size(); ++n)
-        if (m_t.nodes[n].is_singularity() == singular)
-          place(n, m_locator.in_face(m_t.nodes[n].face, m_t.nodes[n].point));
+    for (std::size_t n = 0; n < m_t.nodes.size(); ++n)
+      if (m_t.nodes[n].is_singularity() == singular)
+        place(n, m_locator.in_face(m_t.nodes[n].face, m_t.nodes[n].point));
+  }
+
+  // first the nodes, then the inner points of the arcs between them, in the faces that have the boundary as an edge
+  void place_boundary()
+  {
+    for (const T_mesh::Arc& arc : m_t.arcs)
+      if (arc.on_boundary) place(arc.from, on_arc(arc, 0));
+    for (std::size_t a = 0; a < m_t.arcs.size(); ++a)
+      if (m_t.arcs[a].on_boundary)
+        for (int i = 1; i < m_q[a]; ++i)
+          place(m_grid.arc_point(a, i), on_arc(m_t.arcs[a], fraction(m_t.arcs[a].length, i, m_q[a])));
+  }
+
+  Surface_point on_arc(const T_mesh::Arc& arc, std::int64_t distance) const
+  {
+    auto s = arc.path.begin();
+    for (; s + 1 != arc.path.end() && distance > internal::along(s->direction, s->to - s->from); ++s)
+      distance -= internal::along(s->direction, s->to - s->from);
+    return m_locator.in_face(s->face, s->from + rotated({distance, 0}, s->direction));
   }
 
   // the inner points of an arc, from the patch on its left
@@ -66,7 +89,7 @@ private:
       std::int64_t begin = 0;
       for (const T_mesh::Side_piece& piece : patch.sides[k]) {
         const std::int64_t length = m_t.arcs[piece.arc].length;
-        if (piece.forward)
+        if (piece.forward && !m_t.arcs[piece.arc].on_boundary)
           for (int i = 1; i < m_q[piece.arc]; ++i)
             place(m_grid.arc_point(piece.arc, i),
                   m_locator.locate(p, patch.on_side(k, begin + fraction(length, i, m_q[piece.arc]))));
@@ -167,6 +190,8 @@ std::string defect(const Quad_mesh& m, const T_mesh& t)
   const auto name = [](const char* what, std::size_t i) { return std::string(what) + ' ' + std::to_string(i); };
   if (m.patch.size() != m.quads.size() || m.input_points.size() != m.points.size()) return "the sizes do not fit";
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> previous;   // by corner: from the vertex, and the next
+  std::vector<std::size_t> on_boundary(m.points.size(), none);           // the next vertex there
+  long boundary_edges = 0;
   std::vector<std::size_t> valence(m.points.size(), 0);
   for (std::size_t f = 0; f < m.quads.size(); ++f)
     for (int k = 0; k < 4; ++k) {
@@ -177,21 +202,25 @@ std::string defect(const Quad_mesh& m, const T_mesh& t)
         return "two quads run from " + name("vertex", v) + " to " + name("vertex", next);
       ++valence[v];
     }
-  for (const auto& [edge, before] : previous)
-    if (previous.count({edge.second, edge.first}) == 0)
-      return "there is one quad only at the edge from " + name("vertex", edge.first);
+  for (const auto& [edge, before] : previous) {
+    if (previous.count({edge.second, edge.first}) != 0) continue;
+    if (on_boundary[edge.first] != none) return name("vertex", edge.first) + " is on the boundary twice";
+    on_boundary[edge.first] = edge.second;
+    ++boundary_edges;
+  }
   for (auto first = previous.begin(); first != previous.end();) {   // the edges from one vertex follow one another
-    const std::size_t v = first->first.first;
-    std::size_t quads = 0, w = first->first.second;
+    const std::size_t v = first->first.first, begin = on_boundary[v] == none ? first->first.second : on_boundary[v];
+    std::size_t quads = 0, w = begin;
     do {
       w = previous.at({v, w});
       ++quads;
-    } while (w != first->first.second);
-    if (quads != valence[v]) return "the quads at " + name("vertex", v) + " are not one circle";
+    } while (w != begin && previous.count({v, w}) != 0);
+    if (quads != valence[v]) return "the quads at " + name("vertex", v) + " are not one circle, or one fan";
     std::advance(first, quads);
   }
 
-  std::vector<std::size_t> expected(m.points.size(), 4);
+  std::vector<std::size_t> expected(m.points.size());
+  for (std::size_t v = 0; v < expected.size(); ++v) expected[v] = on_boundary[v] == none ? 4 : 2;
   std::vector<char> is_singular(m.points.size(), false);
   std::size_t s = 0;
   for (const T_mesh::Node& node : t.nodes) {
@@ -199,15 +228,31 @@ std::string defect(const Quad_mesh& m, const T_mesh& t)
     if (s == m.singularities.size() || m.singularities[s] >= m.points.size()) return "a singularity has no vertex";
     const std::size_t v = m.singularities[s++];
     if (is_singular[v]) return name("vertex", v) + " has two singularities";
+    if ((on_boundary[v] != none) != (node.kind == T_mesh::Node_kind::corner))
+      return name("vertex", v) + " is a corner inside, or another singularity on the boundary";
     is_singular[v] = true;
-    expected[v] = static_cast<std::size_t>(node.order + 4);
+    expected[v] += node.order;
   }
   for (std::size_t v = 0; v < valence.size(); ++v)
     if (valence[v] != expected[v]) return name("vertex", v) + " has " + std::to_string(valence[v]) + " quads";
-  // every edge is on two quads: V - E + F = V - F
-  if (static_cast<long>(m.points.size()) - static_cast<long>(m.quads.size()) != t.euler_characteristic())
+  // every edge is on two quads, or one on the boundary: 2 (V - E + F) = 2 V - 2 F - edges on the boundary
+  const long vertices = static_cast<long>(m.points.size()), quads = static_cast<long>(m.quads.size());
+  if (2 * (vertices - quads) - boundary_edges != 2 * t.euler_characteristic())
     return "the genus is not that of the T-mesh";
+  if (internal::number_of_cycles(on_boundary) != internal::number_of_boundary_curves(t))
+    return "there are not as many boundary curves as in the T-mesh";
   return {};
+}
+
+std::vector<std::size_t> next_on_boundary(const Quad_mesh& m)
+{
+  std::set<std::pair<std::size_t, std::size_t>> sides;
+  for (const auto& quad : m.quads)
+    for (int k = 0; k < 4; ++k) sides.insert({quad[k], quad[(k + 1) % 4]});
+  std::vector<std::size_t> result(m.points.size(), none);
+  for (const auto& [v, w] : sides)
+    if (sides.count({w, v}) == 0) result[v] = w;
+  return result;
 }
 
 std::vector<int> singularity_orders(const Quad_mesh& m, const T_mesh& t)

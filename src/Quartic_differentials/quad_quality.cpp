@@ -58,6 +58,7 @@ double angle_in_degrees(const Quad_corners& p, const internal::Quad_shape& shape
 
 void measure_shapes(const Quad_mesh& m, Quad_quality& result)
 {
+  const std::vector<std::size_t> next = next_on_boundary(m);
   Spread_sum angle, deviation, edge_ratio, edge_length;
   for (std::size_t f = 0; f < m.quads.size(); ++f) {
     const Quad_corners p = m.corners(f);
@@ -65,7 +66,8 @@ void measure_shapes(const Quad_mesh& m, Quad_quality& result)
     for (int k = 0; k < 4; ++k) {
       angle.add(angle_in_degrees(p, shape, k));
       deviation.add(std::abs(angle_in_degrees(p, shape, k) - 90));
-      if (m.quads[f][k] < m.quads[f][(k + 1) % 4]) edge_length.add(shape.side[k]);   // the other quad has it reversed
+      const std::size_t v = m.quads[f][k], w = m.quads[f][(k + 1) % 4];
+      if (v < w || next[v] == w) edge_length.add(shape.side[k]);   // or another quad has it reversed
     }
     edge_ratio.add(shape.edge_ratio());
   }
@@ -122,15 +124,16 @@ Surface_distance distance_from_input(const Intrinsic_triangulation& input, const
   return distances.by_diagonal(input.mesh());
 }
 
-std::map<std::size_t, std::size_t> irregular_vertices(const Quad_mesh& m)
+void count_irregular_vertices(const Quad_mesh& m, Quad_quality& result)
 {
+  const std::vector<std::size_t> next = next_on_boundary(m);
   std::vector<std::size_t> valence(m.points.size(), 0);
   for (const auto& quad : m.quads)
     for (std::size_t v : quad) ++valence[v];
-  std::map<std::size_t, std::size_t> result;
-  for (std::size_t n : valence)
-    if (n != 4) ++result[n];
-  return result;
+  for (std::size_t v = 0; v < valence.size(); ++v) {
+    const bool is_inside = next[v] == static_cast<std::size_t>(-1);
+    if (valence[v] != (is_inside ? 4u : 2u)) ++(is_inside ? result.irregular_vertices : result.corners)[valence[v]];
+  }
 }
 
 } // namespace
@@ -143,7 +146,7 @@ Quad_quality quad_quality(const Intrinsic_triangulation& input, const Quad_mesh&
   measure_shapes(m, result);
   result.to_input = distance_to_input(input, m);
   result.from_input = distance_from_input(input, m);
-  result.irregular_vertices = irregular_vertices(m);
+  count_irregular_vertices(m, result);
   result.patches = std::set<std::size_t>(m.patch.begin(), m.patch.end()).size();
   return result;
 }

@@ -60,6 +60,23 @@ void place_corners_on_input(const Intrinsic_triangulation& input, Refined_surfac
   }
 }
 
+// A corner that was inserted on the boundary is on its boundary edge without rounding: the opposite coordinate is 0.
+void put_corners_on_boundary(const Intrinsic_triangulation& input, Refined_surface& r)
+{
+  const Intrinsic_triangulation& t = r.differential.triangulation;
+  for (Vertex v : r.differential.singularities) {
+    if (v.idx() < input.number_of_vertices() || !t.is_border(v)) continue;
+    const auto k = input.halfedges(r.input_face[t.face(t.halfedge_from(v))]);   // that of all faces round v
+    std::array<double, 3>& place = r.input_corner[t.halfedge_from(v)];
+    int opposite = -1;
+    for (int c = 0; c < 3; ++c)
+      if (input.is_border(input.opposite(k[(c + 1) % 3])) && (opposite < 0 || place[c] < place[opposite])) opposite = c;
+    place[opposite] = 0;
+    place = moved_inside({{}, place}, 0).barycentric;
+    for (const internal::Star_corner& c : internal::star(t, v)) r.input_corner[c.halfedge] = place;
+  }
+}
+
 // Numbers the vertices of the refinement: those of C, then the crossings edge by edge.
 class Refined_vertices
 {
@@ -333,6 +350,7 @@ Refined_surface refined_surface(const Intrinsic_triangulation& input, const Refi
     }
   }
   place_corners_on_input(input, result);
+  put_corners_on_boundary(input, result);
   return result;
 }
 
@@ -380,6 +398,7 @@ Mesh mesh_with_property_maps(const Refined_surface& refined)
   auto place = mesh.add_property_map<Vertex, Surface_point>("v:input_point").first;
   auto order = mesh.add_property_map<Vertex, int>("v:singularity_order", 0).first;
   for (Halfedge h : mesh.halfedges()) {
+    if (mesh.is_border(h)) continue;
     const Complex z = in_units(q.corner[mesh.next(h)], q.grid_exponent);
     texture[h] = Point_2(z.real(), z.imag());
     place[mesh.source(h)] = {refined.input_face[mesh.face(h)], refined.input_corner[h]};

@@ -6,6 +6,7 @@
 
 #include <CGAL/Quartic_differentials/internal/Input_surface.h>
 #include <CGAL/Quartic_differentials/internal/Quad_shape.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -46,11 +48,59 @@ const double smallest_gain = 1e-3;      // of E at a move, as a share: smaller m
 const double turned_over = -0.5;        // cosine: a normal is against the surface where the surface's own ones agree;
                                         // round a thin tube they cancel, and say nothing
 
+const std::size_t none = static_cast<std::size_t>(-1);
+
+// Ways along the boundary curves of a surface.
+class Boundary_ways
+{
+public:
+  explicit Boundary_ways(const Intrinsic_triangulation& t)
+    : m_t(t), m_begin(t.number_of_edges(), 0), m_whole(t.number_of_edges(), 0)
+  {
+    for (const std::vector<Halfedge>& curve : t.boundary_curves()) {
+      double whole = 0;
+      for (Halfedge h : curve) {
+        m_begin[t.edge(h)] = whole;
+        whole += t.length(h);
+      }
+      for (Halfedge h : curve) m_whole[t.edge(h)] = whole;
+    }
+  }
+
+  // the length of the way from one point of a curve on to another, the surface on the left
+  double length(const Surface_point& from, const Surface_point& to) const
+  {
+    const double way = position(to) - position(from);
+    return way > 0 ? way : way + m_whole[m_t.edge(internal::boundary_place(m_t, from).halfedge)];
+  }
+
+  Surface_point slid(const Surface_point& p, double distance) const
+  { return internal::slide(m_t, p, distance, [](const Surface_point&, const Surface_point&) {}); }
+
+  // the direction in which a curve runs, a unit vector
+  Vector_3 direction(const Surface_point& p) const
+  {
+    const Halfedge h = internal::boundary_place(m_t, p).halfedge;
+    return unit(m_t.mesh().point(m_t.target(h)) - m_t.mesh().point(m_t.source(h)));
+  }
+
+private:
+  double position(const Surface_point& p) const
+  {
+    const internal::Boundary_place place = internal::boundary_place(m_t, p);
+    return m_begin[m_t.edge(place.halfedge)] + place.fraction * m_t.length(place.halfedge);
+  }
+
+  const Intrinsic_triangulation& m_t;
+  std::vector<double>            m_begin, m_whole;   // by edge: where it begins on its curve, and the curve's length
+};
+
 class Smoother
 {
 public:
-  Smoother(const Input_surface& surface, Quad_mesh& m)
-    : m_surface(surface), m_mesh(m), m_first(m.points.size() + 1, 0), m_corner(4 * m.quads.size()),
+  Smoother(const Intrinsic_triangulation& input, const Input_surface& surface, Quad_mesh& m)
+    : m_surface(surface), m_boundary(input), m_mesh(m), m_next(next_on_boundary(m)),
+      m_previous(m.points.size(), none), m_is_fixed(m.points.size(), false), m_first(m.points.size() + 1, 0), m_corner(4 * m.quads.size()),
       m_step(m.points.size(), infinity), m_is_active(m.points.size(), true)
   {
     for (const auto& quad : m.quads)
@@ -61,6 +111,9 @@ public:
       for (int k = 0; k < 4; ++k) m_corner[next[m.quads[f][k]]++] = {f, k};
     m_place.reserve(m.points.size());
     for (const Surface_point& p : m.input_points) m_place.push_back(surface.place(p));
+    for (std::size_t v = 0; v < m.points.size(); ++v)
+      if (is_on_boundary(v)) m_previous[m_next[v]] = v;
+    for (std::size_t v : m.singularities) m_is_fixed[v] = is_on_boundary(v);
   }
 
   Smoothing_sweep measure(std::size_t moves) const
@@ -99,6 +152,8 @@ public:
   }
 
 private:
+  bool is_on_boundary(std::size_t v) const { return m_next[v] != none; }
+
   // of a quad, when vertex v is at a place; it does not depend on which vertex that is, not even in rounding, so that
   // comparisons hold for the mesh as it will be
   Quality quality(std::size_t f, std::size_t v, const Place& place) const
@@ -148,18 +203,35 @@ private:
   bool is_better(const Quality& a, const Quality& b) const
   { return a.sum < (1 - smallest_gain) * b.sum && a.least >= std::min(b.least, m_guard); }
 
-  // moves v by a step in its tangent plane, if that is better, and not through a thin part to its other side; most
-  // steps are refused before the nearest point is looked for
-  bool try_step(std::size_t v, const Vector_3& step, Quality& now)
+  // where v is after a step in its tangent plane, unless that leads through a thin part to its other side; most steps
+  // are refused before the nearest point is looked for
+  std::optional<Place> moved(std::size_t v, const Vector_3& step, const Quality& now) const
   {
     Place place = m_place[v];
     place.point = place.point + step;
-    if (!is_better(around(v, place), now)) return false;
+    if (!is_better(around(v, place), now)) return std::nullopt;
     const Place nearest = m_surface.nearest(place.point, m_place[v]);
-    if (CGAL::scalar_product(nearest.normal, m_place[v].normal) <= 0) return false;
-    const Quality then = around(v, nearest);
+    if (CGAL::scalar_product(nearest.normal, m_place[v].normal) <= 0) return std::nullopt;
+    return nearest;
+  }
+
+  // the same on the boundary, unless that leads past a neighbour
+  std::optional<Place> slid(std::size_t v, const Vector_3& step) const
+  {
+    const Surface_point &at = m_place[v].at, &next = m_place[m_next[v]].at, &previous = m_place[m_previous[v]].at;
+    const double distance = CGAL::scalar_product(step, m_boundary.direction(at));
+    if (distance >= m_boundary.length(at, next) || -distance >= m_boundary.length(previous, at)) return std::nullopt;
+    return m_surface.place(m_boundary.slid(at, distance));
+  }
+
+  // moves v if that is better
+  bool try_step(std::size_t v, const Vector_3& step, Quality& now)
+  {
+    const std::optional<Place> place = is_on_boundary(v) ? slid(v, step) : moved(v, step, now);
+    if (!place) return false;
+    const Quality then = around(v, *place);
     if (!is_better(then, now)) return false;
-    m_place[v] = nearest;
+    m_place[v] = *place;
     now = then;
     return true;
   }
@@ -177,6 +249,7 @@ private:
   // moves v at most once
   bool improve(std::size_t v)
   {
+    if (m_is_fixed[v]) return false;
     Quality now = around(v, m_place[v]);
     Vector_3 completion(0, 0, 0), middle(0, 0, 0);
     const double quads = double(m_first[v + 1] - m_first[v]);
@@ -189,27 +262,43 @@ private:
     return try_target(v, completion, now) || try_target(v, middle, now) || search(v, now);
   }
 
-  // tries all directions; the step grows and shrinks with success
-  bool search(std::size_t v, Quality& now)
+  // of the search, unit vectors
+  std::vector<Vector_3> directions_at(std::size_t v) const
   {
+    if (is_on_boundary(v)) {
+      const Vector_3 along = m_boundary.direction(m_place[v].at);
+      return {along, -along};
+    }
     const Vector_3 n = m_place[v].normal;
     const Vector_3 x = unit(std::abs(n.x()) < 0.6 ? Vector_3(0, n.z(), -n.y()) : Vector_3(-n.z(), 0, n.x()));
     const Vector_3 y = CGAL::cross_product(n, x);
-    const double most = longest_step(v);
-    m_step[v] = std::min(m_step[v], most);
+    std::vector<Vector_3> result;
     for (int k = 0; k < directions; ++k) {
       const double angle = 2 * CGAL_PI * k / directions;
-      if (try_step(v, m_step[v] * (std::cos(angle) * x + std::sin(angle) * y), now)) {
+      result.push_back(std::cos(angle) * x + std::sin(angle) * y);
+    }
+    return result;
+  }
+
+  // tries all directions; the step grows and shrinks with success
+  bool search(std::size_t v, Quality& now)
+  {
+    const double most = longest_step(v);
+    m_step[v] = std::min(m_step[v], most);
+    for (const Vector_3& direction : directions_at(v))
+      if (try_step(v, m_step[v] * direction, now)) {
         m_step[v] *= 1.5;
         return true;
       }
-    }
     m_step[v] = std::max(m_step[v] / 2, most / 16);
     return false;
   }
 
   const Input_surface&     m_surface;
+  const Boundary_ways      m_boundary;
   Quad_mesh&               m_mesh;
+  std::vector<std::size_t> m_next, m_previous;           // by vertex: its neighbours along the boundary
+  std::vector<char>        m_is_fixed;                   // by vertex
   std::vector<std::size_t> m_first;                      // by vertex: its first corner
   std::vector<std::pair<std::size_t, int>> m_corner;     // quad, and which of its corners; by vertex
   std::vector<Place>       m_place;                      // by vertex
@@ -225,7 +314,7 @@ Smoothing_report smooth_quads(const Intrinsic_triangulation& input, const Smooth
   const auto begin = std::chrono::steady_clock::now();
   internal::require_embedded(input, "smoothing");
   const Input_surface surface(input);
-  Smoother smoother(surface, m);
+  Smoother smoother(input, surface, m);
   Smoothing_report report;
   report.history.push_back(smoother.measure(0));
   for (std::size_t k = 0; k < options.sweeps; ++k) {

@@ -14,6 +14,7 @@
 
 using namespace Quartic_test;
 
+<<<<<<< HEAD
 // A rectangle of unit squares, each cut along a diagonal, with the lower left corner at the origin.
 Mesh rectangle(int width, int height)
 {
@@ -92,6 +93,8 @@ Quartic_differential mirror_double(const Quartic_differential& q)
   return d;
 }
 
+=======
+>>>>>>> bca0955 (Surfaces with boundary: surfaces cut along the T-mesh, lines on the input, pictures and files)
 // Every invariant of the results, and the counts of corners by hand.
 void check_results(const Intrinsic_triangulation& input, const Quartic_differential_result& r)
 {
@@ -125,9 +128,8 @@ double longer_to_shorter_side(const T_mesh::Patch& patch)
 void test_rectangle()
 {
   const Intrinsic_triangulation t(rectangle(6, 4));
-  const Divisor corners{corner_at(t, Vertex(0), 1), corner_at(t, Vertex(6), 1), corner_at(t, Vertex(34), 1),
-                        corner_at(t, Vertex(28), 1)};
-  const Quartic_differential_result r = run(t, corners);
+  const Divisor corners = corners_at(t, {{Vertex(0), 1}, {Vertex(6), 1}, {Vertex(34), 1}, {Vertex(28), 1}});
+  const Quartic_differential_result r = run_pipeline(t, corners);
   check_results(t, r);
   CHECK_EQUAL(r.t_mesh->patches.size(), 1u);
   CHECK_EQUAL(r.t_mesh->nodes.size(), 4u);
@@ -139,7 +141,7 @@ void test_rectangle()
 void test_annulus()
 {
   const Intrinsic_triangulation t(plate(1, 14));
-  const Quartic_differential_result r = run(t, {});
+  const Quartic_differential_result r = run_pipeline(t, Divisor());
   check_results(t, r);
   CHECK_EQUAL(r.t_mesh->patches.size(), 1u);
   CHECK_EQUAL(r.t_mesh->nodes.size(), 2u);
@@ -251,10 +253,9 @@ void test_random_divisors(int cases)
 {
   std::mt19937 random(2027);
   const std::vector<Surface_with_boundary> surfaces = surfaces_with_boundary();
-  const std::vector<std::vector<int>> lists{{}, {1, 1, 1, 1}, {3, 3}, {3}, {1, 1, 3, 3}, {1, 3}, {1, 1, 1, 1, 1, 1}, {4},
-                                            {1, 1, 1, 1, 3, 3}, {5, 1}};
   int verified = 0, infeasible = 0, numerical = 0;
   for (int n = 0; n < cases; ++n) {
+<<<<<<< HEAD
     const Surface_with_boundary& s = surfaces[n % surfaces.size()];
     const bool obtuse = n % 4 == 3;
     Intrinsic_triangulation t = obtuse ? with_obtuse_rim(s.surface, 179, random) : s.surface;
@@ -263,9 +264,13 @@ void test_random_divisors(int cases)
     for (int c = 0; c < s.curves; ++c) corners.push_back(lists[random() % lists.size()]);
     const Divisor divisor = random_divisor(t, corners, static_cast<int>(random() % 3), random);
     std::cout << n << ", " << s.name << (obtuse ? ", obtuse rim, " : ", ") << divisor.size() << " singularities: " << std::flush;
+=======
+    const Boundary_case c = random_case(surfaces[n % surfaces.size()], random);
+    std::cout << n << ", " << c.name << ", " << c.divisor.size() << " singularities: " << std::flush;
+>>>>>>> bca0955 (Surfaces with boundary: surfaces cut along the T-mesh, lines on the input, pictures and files)
     try {
-      const Quartic_differential_result r = run(t, divisor);
-      check_results(t, r);
+      const Quartic_differential_result r = run_pipeline(c.surface, c.divisor);
+      check_results(c.surface, r);
       std::cout << r.t_mesh->patches.size() << " rectangles, rotations to " << r.immersion.rotation_error << std::endl;
       ++verified;
     } catch (const Infeasible_divisor_error& e) {

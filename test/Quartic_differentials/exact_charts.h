@@ -42,6 +42,7 @@ inline void find_transitions(QD::Quartic_differential& q)
   q.transition.assign(t.number_of_halfedges(), {});
   for (QD::Halfedge h : t.halfedges()) {
     const QD::Halfedge o = t.opposite(h);
+    if (t.is_border(t.edge(h))) continue;
     const QD::Grid_vector here = q.corner[t.next(h)] - q.corner[h], there = q.corner[o] - q.corner[t.next(o)];
     int k = 0;
     while (k < 3 && QD::rotated(here, k) != there) ++k;
@@ -77,7 +78,7 @@ inline void flip_exactly(QD::Quartic_differential& q, int attempts, std::int64_t
   QD::Intrinsic_triangulation& t = q.triangulation;
   for (int i = 0; i < attempts; ++i) {
     const QD::Edge e(static_cast<QD::Mesh::size_type>(random() % t.number_of_edges()));
-    if (t.face(t.halfedge(e)) == t.face(t.opposite(t.halfedge(e)))) continue;
+    if (t.is_border(e) || t.face(t.halfedge(e)) == t.face(t.opposite(t.halfedge(e)))) continue;
     QD::Edge_flip flip = t.flip_of(e, 0, false);
     // in the chart of face(ij)
     const QD::Grid_vector zi = q.corner[flip.ij], zj = q.corner[flip.jk], zk = q.corner[flip.ki],

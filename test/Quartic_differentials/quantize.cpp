@@ -82,6 +82,18 @@ Quartic_differential square_tiled(int most_squares, int subdivision, std::int64_
   }
 }
 
+/// A surface of unit squares with boundary, of few arcs if it is small.
+Quartic_differential square_tiled_with_boundary(int most_squares, std::int64_t side, std::mt19937& random)
+{
+  for (;;) {
+    const Gluing closed = random_gluing(1 + static_cast<int>(random() % most_squares), random);
+    const Gluing glued = cut_open(closed, uniform(random, 0, 0.6), random);
+    if (glued == closed || !is_connected(glued)) continue;
+    const Quartic_differential q = exact_differential(glued, {side, 0}, {0, side});
+    if (*std::min_element(q.order.begin(), q.order.end()) > -3) return q;
+  }
+}
+
 /// options for quads with sides of so many grid units of the quartic differential
 Quantization_options side_of(double grid_units, const Quartic_differential& q)
 {
@@ -207,13 +219,12 @@ void programs()
 
 // Every quantization of small T-meshes: the criterion on the zero complex agrees with the surface that is glued, cuts
 // that are said to be valid are, and the solver finds nothing cheaper and claims no more than there is.
-void exhaustive_search()
+void exhaustive_search(const std::string& name, int cases, const std::function<Quartic_differential(int)>& surface)
 {
-  std::mt19937 random(2);
   std::map<std::string, std::size_t> violations;   // by how they begin
   std::size_t valid = 0, broken = 0, valid_cuts = 0, other_cuts = 0, optimal = 0, cheapest = 0, runs = 0;
-  for (int done = 0; done < 80; ++done) {
-    const Quartic_differential differential = small_surface(done % 2 == 0, random);
+  for (int done = 0; done < cases; ++done) {
+    const Quartic_differential differential = surface(done);
     const T_mesh t = t_mesh(differential, quiet);
     int most = 1;
     while (std::pow(most + 2, t.arcs.size()) < 4e4) ++most;
@@ -250,7 +261,7 @@ void exhaustive_search()
       cheapest += r.cost <= least + 1e-6;
     }
   }
-  std::cout << "exhaustive search: " << valid << " quantizations and " << broken << " that are none, " << valid_cuts
+  std::cout << "exhaustive search, " << name << ": " << valid << " quantizations and " << broken << " that are none, " << valid_cuts
             << " valid cuts and " << other_cuts << " others; of " << runs << " results " << cheapest
             << " are the cheapest of the small ones, " << optimal << " proved optimal\n";
   CHECK(valid > 1000 && broken > 1000 && valid_cuts > 1000 && other_cuts > 100);
@@ -409,7 +420,15 @@ int main()
 {
   unit_grids();
   programs();
-  exhaustive_search();
+  std::mt19937 random(2);
+  exhaustive_search("closed", 80, [&](int n) { return small_surface(n % 2 == 0, random); });
+  exhaustive_search("with boundary", 120, [&](int) {
+    for (;;) {
+      const Quartic_differential q = square_tiled_with_boundary(6, 1 + random() % 50, random);
+      const std::size_t arcs = t_mesh(q, quiet).arcs.size();
+      if (4 <= arcs && arcs <= 13) return q;
+    }
+  });
   coarse_square_tiled_surfaces();
   check_sample("sphere", bumpy_sphere(3));
   check_sample("torus", jittered_torus(40, 20, 0.3, 0.5, 2));

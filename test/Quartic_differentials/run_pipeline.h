@@ -22,6 +22,18 @@ run_pipeline(const CGAL::Quartic_differentials::Intrinsic_triangulation& input,
   return result;
 }
 
+/// the results of the pipeline with a divisor
+inline CGAL::Quartic_differentials::Quartic_differential_result
+run_pipeline(const CGAL::Quartic_differentials::Intrinsic_triangulation& input,
+             const CGAL::Quartic_differentials::Divisor& divisor,
+             const CGAL::Quartic_differentials::Quartic_differential_options& options = {})
+{
+  CGAL::Quartic_differentials::Visitor visitor;
+  CGAL::Quartic_differentials::Quartic_differential_result result;
+  quartic_differential(input, divisor, options, visitor, result);
+  return result;
+}
+
 } // namespace Quartic_test
 
 #endif // CGAL_QUARTIC_DIFFERENTIALS_TEST_RUN_PIPELINE_H

@@ -21,13 +21,14 @@ namespace Quartic_test {
 
 namespace QD = CGAL::Quartic_differentials;
 
-/// Side k of square s is side 4s + k; sides run counterclockwise and are glued in pairs, reversing their direction.
+/// Side k of square s is side 4s + k; sides run counterclockwise and are glued in pairs, reversing their direction. -1 is
+/// a side on the boundary.
 using Gluing = std::vector<int>;
 
 struct Square_tiled_surface
 {
   QD::Intrinsic_triangulation triangulation;   ///< two triangles a square, all lengths exact to rounding
-  std::vector<int>            order;           ///< by vertex: number of squares round it, minus 4
+  std::vector<int>            order;           ///< by vertex: number of squares round it, minus 4, on the boundary minus 2
   std::vector<QD::Vertex>     singularities;   ///< the vertices whose order is not 0
 };
 
@@ -63,6 +64,14 @@ inline Gluing random_translation_gluing(int squares, std::mt19937& random)
   return glued;
 }
 
+/// some pairs of sides are not glued any more
+inline Gluing cut_open(Gluing glued, double share, std::mt19937& random)
+{
+  for (std::size_t side = 0; side < glued.size(); ++side)
+    if (glued[side] >= 0 && random() < share * 4294967296.0) glued[glued[side]] = glued[side] = -1;
+  return glued;
+}
+
 inline bool is_connected(const Gluing& glued)
 {
   std::vector<char> seen(glued.size() / 4, false);
@@ -75,7 +84,7 @@ inline bool is_connected(const Gluing& glued)
     ++n;
     for (int k = 0; k < 4; ++k) {
       const int next = glued[4 * s + k] / 4;
-      if (!seen[next]) { seen[next] = true; stack.push_back(next); }
+      if (glued[4 * s + k] >= 0 && !seen[next]) { seen[next] = true; stack.push_back(next); }
     }
   }
   return n == seen.size();
@@ -103,7 +112,7 @@ inline Gluing subdivided(const Gluing& glued, int m)
       }
   for (int side = 0; side < 4 * squares; ++side)
     for (int i = 0; i < m; ++i)
-      result[4 * along(side, i) + side % 4] = 4 * along(glued[side], m - 1 - i) + glued[side] % 4;
+      result[4 * along(side, i) + side % 4] = glued[side] < 0 ? -1 : 4 * along(glued[side], m - 1 - i) + glued[side] % 4;
   return result;
 }
 
@@ -127,25 +136,29 @@ inline Square_tiled_surface square_tiled_surface(const Gluing& glued)
   }
   for (int side = 0; side < 4 * squares; ++side) {
     const auto [t, e] = triangle_edge(side);
-    glue.opposite[t][e] = triangle_edge(glued[side]);
+    if (glued[side] < 0) glue.opposite[t][e] = {-1, -1};
+    else                 glue.opposite[t][e] = triangle_edge(glued[side]);
   }
   // round every vertex; corner e of triangle t is where its edge e begins, angles are counted in eighths of a turn
   const int angle[2][3] = {{1, 2, 1}, {1, 1, 2}};
-  std::vector<int> eighths;
-  for (int t = 0; t < 2 * squares; ++t)
-    for (int e = 0; e < 3; ++e) {
-      if (glue.triangles[t][e] >= 0) continue;
-      eighths.push_back(0);
-      for (std::array<int, 2> c{t, e}; glue.triangles[c[0]][c[1]] < 0; c = glue.opposite[c[0]][(c[1] + 2) % 3]) {
-        glue.triangles[c[0]][c[1]] = static_cast<int>(eighths.size()) - 1;
-        eighths.back() += angle[c[0] % 2][c[1]];
+  std::vector<int> eighths, eighths_of_regular;
+  for (bool on_boundary : {true, false})   // there a fan begins with an edge of the boundary
+    for (int t = 0; t < 2 * squares; ++t)
+      for (int e = 0; e < 3; ++e) {
+        if (glue.triangles[t][e] >= 0 || (on_boundary && glue.opposite[t][e][0] >= 0)) continue;
+        eighths.push_back(0);
+        eighths_of_regular.push_back(on_boundary ? 4 : 8);
+        for (std::array<int, 2> c{t, e}; c[0] >= 0 && glue.triangles[c[0]][c[1]] < 0;
+             c = glue.opposite[c[0]][(c[1] + 2) % 3]) {
+          glue.triangles[c[0]][c[1]] = static_cast<int>(eighths.size()) - 1;
+          eighths.back() += angle[c[0] % 2][c[1]];
+        }
       }
-    }
   Square_tiled_surface result;
   result.triangulation = QD::Intrinsic_triangulation(glue);
-  for (int turn : eighths) {
-    if (turn != 8) result.singularities.push_back(QD::Vertex(static_cast<QD::Mesh::size_type>(result.order.size())));
-    result.order.push_back(turn / 2 - 4);
+  for (std::size_t v = 0; v < eighths.size(); ++v) {
+    result.order.push_back((eighths[v] - eighths_of_regular[v]) / 2);
+    if (result.order[v] != 0) result.singularities.push_back(QD::Vertex(static_cast<QD::Mesh::size_type>(v)));
   }
   return result;
 }

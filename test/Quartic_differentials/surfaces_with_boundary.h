@@ -13,6 +13,7 @@
 #include <CGAL/Quartic_differentials/abel_jacobi_map.h>
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
 #include <CGAL/Quartic_differentials/holomorphic_forms.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/laplacian.h>
 #include <CGAL/Quartic_differentials/legalize_divisor.h>
 #include <CGAL/Quartic_differentials/relative_homology_basis.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Quartic_differentials/split_obtuse_at_boundary.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,6 +78,62 @@ inline std::vector<Surface_with_boundary> surfaces_with_boundary()
   cut("chain of genus 2", 2, handle_chain(2, 6), 3);
   cut("ring of genus 3", 3, handle_ring(3, 6), 2);
   return list;
+}
+
+/// a rectangle of unit squares, each cut along a diagonal, with the lower left corner at the origin
+inline Mesh rectangle(int width, int height)
+{
+  Mesh mesh;
+  for (int y = 0; y <= height; ++y)
+    for (int x = 0; x <= width; ++x) mesh.add_vertex(Point_3(x, y, 0));
+  const auto vertex = [&](int x, int y) { return Vertex(static_cast<Mesh::size_type>(y * (width + 1) + x)); };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      mesh.add_face(vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1));
+      mesh.add_face(vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1));
+    }
+  return mesh;
+}
+
+/// pinned corners at vertices, with their numbers of quads
+inline Divisor corners_at(const Intrinsic_triangulation& t, const std::vector<std::pair<Vertex, int>>& corners)
+{
+  Divisor divisor;
+  for (const auto& [v, quads] : corners) divisor.push_back({on_edge(t, t.halfedge_from(v), 0), quads - 2, true, true});
+  return divisor;
+}
+
+/// an L of 44 unit squares with a hole of 2 x 2 squares, each cut along a diagonal
+inline Mesh l_with_hole()
+{
+  Mesh mesh;
+  std::map<std::pair<int, int>, Vertex> vertices;
+  const auto vertex = [&](int x, int y) {
+    const auto [it, is_new] = vertices.try_emplace({x, y});
+    if (is_new) it->second = mesh.add_vertex(Point_3(x, y, 0));
+    return it->second;
+  };
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      if ((x >= 4 && y >= 4) || (x >= 1 && x < 3 && y >= 1 && y < 3)) continue;
+      mesh.add_face(vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1));
+      mesh.add_face(vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1));
+    }
+  return mesh;
+}
+
+/// its ten corners
+inline Divisor corners_of_l(const Intrinsic_triangulation& t)
+{
+  const std::map<std::pair<int, int>, int> quads{{{0, 0}, 1}, {{8, 0}, 1}, {{8, 4}, 1}, {{4, 4}, 3}, {{4, 8}, 1},
+                                                 {{0, 8}, 1}, {{1, 1}, 3}, {{3, 1}, 3}, {{3, 3}, 3}, {{1, 3}, 3}};
+  std::vector<std::pair<Vertex, int>> corners;
+  for (Vertex v : t.vertices()) {
+    const Point_3& p = t.mesh().point(v);
+    const auto it = quads.find({static_cast<int>(p.x()), static_cast<int>(p.y())});
+    if (it != quads.end()) corners.emplace_back(v, it->second);
+  }
+  return corners_at(t, corners);
 }
 
 /// a surface with boundary up to its Abel-Jacobi map
@@ -166,6 +224,16 @@ inline Surface_point on_curve(const Intrinsic_triangulation& t, const std::vecto
   return on_edge(t, curve.back(), 1);
 }
 
+/// whether a place is on the boundary without rounding: at a vertex of it, or with a coordinate 0 opposite one of its edges
+inline bool is_on_boundary(const Intrinsic_triangulation& t, const Surface_point& p)
+{
+  if (internal::boundary_place(t, p).halfedge != Mesh::null_halfedge()) return true;
+  const auto h = t.halfedges(p.face);
+  for (int k = 0; k < 3; ++k)
+    if (p.barycentric[k] == 1) return t.is_border(t.source(h[k]));
+  return false;
+}
+
 /// a divisor of the right degree: on every boundary curve corners with the given numbers of quads (2 is no corner), evenly
 /// but for chance, then simple singularities, with `pairs` more of either sign, in places at least `apart` * sqrt(area) from
 /// the others where there is room.
@@ -197,6 +265,27 @@ inline Divisor random_divisor(const Intrinsic_triangulation& t, const std::vecto
     }
   }
   return divisor;
+}
+
+/// a surface, with the boundary's splits, and a divisor on it
+struct Boundary_case
+{
+  std::string             name;
+  Intrinsic_triangulation surface;
+  Divisor                 divisor;
+};
+
+/// random corners on every boundary curve, and random singularities inside
+inline Boundary_case random_case(const Surface_with_boundary& s, std::mt19937& random)
+{
+  const std::vector<std::vector<int>> lists{{}, {1, 1, 1, 1}, {3, 3}, {3}, {1, 1, 3, 3}, {1, 3}, {1, 1, 1, 1, 1, 1}, {4},
+                                            {1, 1, 1, 1, 3, 3}, {5, 1}};
+  Boundary_case result{s.name, s.surface, {}};
+  split_obtuse_at_boundary(result.surface);
+  std::vector<std::vector<int>> corners;
+  for (int c = 0; c < s.curves; ++c) corners.push_back(lists[random() % lists.size()]);
+  result.divisor = random_divisor(result.surface, corners, static_cast<int>(random() % 3), random);
+  return result;
 }
 
 } // namespace Quartic_test

@@ -17,12 +17,12 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-/// A closed surface of tensor-product B-spline patches of degree 3 that meet side to side, without T-junctions.
+/// A surface of tensor-product B-spline patches of degree 3 that meet side to side, without T-junctions.
 ///
 /// Patches, like their sides, run counterclockwise seen from outside: side 0 is v = 0, 1 is u = n_u, 2 is v = n_v and 3
 /// is u = 0, where n_u and n_v are the numbers of spans. The knots are 0, 0, 0, 0, 1, 2, .. n-1, n, n, n, n in either
-/// direction. Every side is that of exactly one interface, whose two sides run against one another along the same
-/// control points, bit by bit.
+/// direction. Every side is on the boundary, or that of exactly one interface, whose two sides run against one another
+/// along the same control points, bit by bit.
 struct Multipatch
 {
   /// A bicubic tensor product B-spline.
@@ -37,23 +37,27 @@ struct Multipatch
 
   std::vector<Patch>     patches;
   std::vector<Interface> interfaces;
+  std::vector<Side>      boundary;
 };
 
 /// fits splines to a surface, over the patches of the layout of a quad mesh: every quad is one span in u and in v.
 ///
 /// Corners of patches are vertices of the quad mesh. Sides, once for both patches, then the insides are fitted by least
-/// squares to 5 x 5 points on every quad, evenly divided and then moved to the nearest point of the surface.
+/// squares to 5 x 5 points on every quad, evenly divided and then moved to the nearest point of the surface; on the
+/// boundary, to the nearest point of the surface's boundary.
 ///
 /// \param input the surface
 /// \param quads a quad mesh near the surface, as `surface_mesh()` returns it, or any other
-/// \throws Unusable_surface_error if `input` is not embedded, or `quads` has a boundary or a face that is no quad
+/// \throws Unusable_surface_error if `input` is not embedded, or `quads` has a face that is no quad, or a boundary
+///         where `input` has none
 /// Complexity: O(n log n) for n faces of the input, and O(m log n) for m quads, if those are small against the surface's
 ///             features.
 /// Source: METHOD, "Splines"; least squares by tensor products, Piegl and Tiller 1997, section 9.4.
 Multipatch multipatch(const Intrinsic_triangulation& input, const Mesh& quads);
 
 /// checks and returns the first violation as a sentence, or the empty string: the numbers of control points are those of
-/// the spans; every side is on one interface; the sides of an interface have the same control points, bit by bit.
+/// the spans; every side is on one interface or on the boundary; the sides of an interface have the same control
+/// points, bit by bit.
 /// Complexity: linear.
 std::string defect(const Multipatch& m);
 

@@ -11,8 +11,9 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-/// the refined surface cut along the arcs of a T-mesh, as a closed triangle mesh for applications: every face lies in
-/// one patch and in one face of the input, the faces of a patch fill a rectangle, and every arc is a path of edges.
+/// the refined surface cut along the arcs of a T-mesh, as a triangle mesh for applications, closed if the surface is:
+/// every face lies in one patch and in one face of the input, the faces of a patch fill a rectangle, and every arc is a
+/// path of edges.
 ///
 /// The vertices of `refined.differential.triangulation` come first, with their indices; then those where arcs cross
 /// edges or end inside faces, which are identified exactly. Parts of faces are cut into triangles none of which has its

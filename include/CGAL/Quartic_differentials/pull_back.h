@@ -36,6 +36,8 @@ struct Pulled_back_arc
 /// segment only touches the face in which the arc is, the arc turns to the segment the short way round the vertex; only
 /// at singularities does this matter.
 ///
+/// A line with the boundary on its right runs along it, and past its end where it is still on the surface.
+///
 /// To go on from the end of an arc, start in `last_face` at `to_last_chart(polyline.back())`.
 ///
 /// \param start a face of `refined.differential`
@@ -43,7 +45,8 @@ struct Pulled_back_arc
 ///        the first was rounded to a place outside `start`, the arc begins where the straight line to it from the first
 ///        corner of `start` leads.
 /// \pre `defect(refined.differential)` is empty, and `polyline` is not
-/// \throws Numerical_error if the ends of a segment have coordinates of 2^60 or more in a chart on its way
+/// \throws Numerical_error if the ends of a segment have coordinates of 2^60 or more in a chart on its way, or
+///         the polyline leaves the surface through its boundary
 /// Complexity: linear in the edges crossed, and the edges at vertices passed.
 /// Source: METHOD, step 7.
 Pulled_back_arc pull_back(const Refined_surface& refined, Face start, const std::vector<Grid_vector>& polyline);

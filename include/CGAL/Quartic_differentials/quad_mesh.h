@@ -16,7 +16,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-/// A closed surface of quads with its vertices on the input surface.
+/// A surface of quads with its vertices on the input surface, and those of its boundary on the input's boundary.
 struct Quad_mesh
 {
   std::vector<Point_3>                    points;        ///< by vertex
@@ -36,7 +36,8 @@ struct Quad_mesh
 ///
 /// A point of a grid lies on the surface where the map from the patch's rectangle takes it: along a side its arcs are
 /// divided evenly, inside, straight lines in the rectangle join opposite sides. Points that become one vertex are put
-/// at the singularity among them, or at the first node, point of an arc, or point of a patch. Places in the rectangle
+/// at the singularity or corner among them, or at the first node or point of the boundary, node, point of an arc, or
+/// point of a patch. Places in the rectangle
 /// are rounded to the T-mesh's grid, and the face in which one lies is found exactly.
 ///
 /// \param q a quantization, as `quantize()` finds it
@@ -49,12 +50,18 @@ Quad_mesh quad_mesh(const T_mesh& t, const std::vector<int>& q, const Refined_su
 
 /// checks, from the vertices of the quads alone, and returns the first violation as a sentence, or the empty string:
 /// no quad has a vertex twice; every two vertices are joined by one edge at most, with a quad on either side that runs
-/// along it the other way; the quads at every vertex are one circle; they are order + 4 at the singularities, which are
-/// vertices of their own, and 4 elsewhere; the genus is that of the T-mesh.
+/// along it the other way, or on one side on the boundary; the quads at every vertex are one circle, on the boundary
+/// one fan; they are order + 4 at the singularities, which are vertices of their own, order + 2 at corners, likewise, 2 at
+/// other vertices of the boundary, and 4 elsewhere; genus and number of boundary curves are those of the T-mesh.
 /// Complexity: O(n log n).
 std::string defect(const Quad_mesh& m, const T_mesh& t);
 
-/// by vertex, the order of the zero there, minus that of the pole, 0 where regular.
+/// by vertex, the next one along the boundary with the quads on the left, `std::size_t(-1)` inside.
+/// \pre `defect()` of `m` is empty
+/// Complexity: O(n log n).
+std::vector<std::size_t> next_on_boundary(const Quad_mesh& m);
+
+/// by vertex, the order of the zero there, minus that of the pole, 0 where regular; m - 2 at a corner of m quads.
 /// \pre `defect(m, t)` is empty
 /// Complexity: linear.
 std::vector<int> singularity_orders(const Quad_mesh& m, const T_mesh& t);

@@ -28,7 +28,8 @@ struct Quad_quality
   Spread           edge_length;       ///< of edges
   Surface_distance to_input;          ///< from the quads, as bilinear surfaces, at the centres of their 4 x 4 parts
   Surface_distance from_input;        ///< from the input's vertices, to quads cut into 4 triangles round their centres
-  std::map<std::size_t, std::size_t> irregular_vertices;   ///< their number, by valence
+  std::map<std::size_t, std::size_t> irregular_vertices;   ///< inside: their number, by valence
+  std::map<std::size_t, std::size_t> corners;              ///< of the boundary, not of 2 quads: their number, by quads
   std::size_t      patches;           ///< of the T-mesh that have quads; others have width or height 0
 };
 
@@ -36,7 +37,7 @@ struct Quad_quality
 ///
 /// Not promised: an upper bound on the distance; it is that of the samples.
 /// \param input the surface that `m` is a mesh of; `m.input_points` tell where the search for nearest points begins
-/// \pre `m` has a quad, and its quads make up a closed surface
+/// \pre `m` has a quad, and its quads make up a surface
 /// \throws Unusable_surface_error if `input` is not embedded
 /// Complexity: O((m + n) log (m + n)) for m quads and n faces of the input, if the mesh is near the input.
 /// Source: scaled Jacobian and edge ratio, Stimpson, Ernst, Knupp, Pebay and Thompson 2007 (Verdict).

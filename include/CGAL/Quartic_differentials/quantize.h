@@ -64,8 +64,9 @@ struct Quantization
 };
 
 /// gives every arc of a T-mesh an integer length q >= 0, so that opposite sides of every patch are equal, a regular
-/// grid in every patch fits its neighbours, and the quads make up a surface of the same genus, with every singularity
-/// at a vertex of its own; q is as near as possible to s times the arc's length, in the sum of squares.
+/// grid in every patch fits its neighbours, and the quads make up a surface of the same genus and with the same number
+/// of boundary curves, with every singularity at a vertex of its own, corners on the boundary and the others inside;
+/// q is as near as possible to s times the arc's length, in the sum of squares.
 ///
 /// The scale s is searched for the number of quads, unless an edge length is given. Arcs may get length 0, so that
 /// meshes can be coarser than the T-mesh. No quad has a vertex twice, and no two edges have the same ends.
@@ -76,10 +77,11 @@ struct Quantization
 /// The squares enter as chords between successive integers. The linear program then has half-integral solutions (it is
 /// a bidirected flow: every arc is on two sides), except for the cuts. Cuts are separated: X is the complex of zero
 /// arcs, of the chords across patches of width 0, and of patches of size 0 x 0; the quantization is valid if every
-/// component of X has Euler characteristic 1 and at most one singularity, and a shortest path or loop that contradicts
-/// gets a sum of at least 1. Paths of arcs between singularities, and loops of arcs on neither side of which lies a
-/// disk with at most one singularity, must have that in every quantization; the others may cut off valid ones, and then
-/// optimality is not claimed.
+/// component of X has Euler characteristic 1 and at most one singularity, and meets the boundary nowhere, or in a
+/// connected part and without a singularity inside the surface; a shortest path or loop that contradicts gets a sum of
+/// at least 1. Paths of arcs between singularities, or from one inside to the boundary, and loops of arcs, or paths
+/// from boundary to boundary, that bound no disk in which all could shrink, must have that in every quantization; the others
+/// may cut off valid ones, and then optimality is not claimed.
 ///
 /// \pre `options.number_of_quads` is positive; `defect()` of the T-mesh is empty
 /// \throws Infeasible_divisor_error if there is a singularity of order -3, which no quad mesh has, or no patch,
@@ -92,8 +94,9 @@ struct Quantization
 Quantization quantize(const T_mesh& t, const Quantization_options& options, Visitor& visitor);
 
 /// checks a quantization exactly, and returns the first violation as a sentence, or the empty string: no length is
-/// negative, opposite sides of patches have equal sums, and the quads make up a closed surface of the T-mesh's genus in
-/// which every singularity is a vertex of its own with order + 4 quads, and all other vertices have 4.
+/// negative, opposite sides of patches have equal sums, and the quads make up a surface of the T-mesh's genus with its
+/// number of boundary curves, in which every singularity is a vertex of its own with order + 4 quads, on the boundary
+/// order + 2, and all other vertices have 4, on the boundary 2.
 ///
 /// It builds that surface, and does not look at X. \pre `defect()` of the T-mesh is empty
 /// Complexity: O(n log n) in the quads and arcs.

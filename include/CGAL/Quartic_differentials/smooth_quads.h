@@ -46,13 +46,15 @@ struct Smoothing_report
 /// the quads around would be parallelograms, on average, or to the middle of its neighbours, or by a step of a pattern
 /// search. A move is made only if it lowers an energy of the angles and the ratios of edges at the corners of the quads
 /// around, and if the least scaled Jacobian among them stays above the guard or does not fall. The guard is raised to
-/// the mesh's least where that is above it; therefore the least of the mesh never falls.
+/// the mesh's least where that is above it; therefore the least of the mesh never falls. Vertices of the boundary slide
+/// along it by the same rules, each between its two neighbours there; corners stay.
 ///
 /// Not promised: that every quad that is turned over is turned back, and that no two parts of the mesh cross. Results
 /// are the same in every run; points are `position_on_input()` of `input_points`.
 ///
 /// \param input the surface on which `m` lies
-/// \pre `defect()` of `m` is empty
+/// \pre `defect()` of `m` is empty; its vertices on the boundary are on that of the input, exactly: the coordinate of
+///      `input_points` opposite the boundary edge is 0
 /// \throws Unusable_surface_error if `input` is not embedded
 /// Complexity: O(n log n) for n faces of the input. For every sweep O(m log n) for m quads, if edges are short against
 ///             the surface's features; vertices around which nothing has moved are passed over.

@@ -15,6 +15,12 @@ namespace Quartic_differentials {
 
 namespace {
 
+// whether the charts on both sides of an edge are one
+bool is_inside_chart(const Quartic_differential& q, Halfedge h)
+{
+  return !q.triangulation.is_border(q.triangulation.edge(h)) && q.transition[h].is_identity();
+}
+
 // the faces that are connected with f by identities and were not visited before
 std::vector<Face> chart_of(const Quartic_differential& q, Face f, std::vector<char>& visited)
 {
@@ -23,8 +29,9 @@ std::vector<Face> chart_of(const Quartic_differential& q, Face f, std::vector<ch
   visited[f] = true;
   for (std::size_t i = 0; i < chart.size(); ++i)
     for (Halfedge h : t.halfedges(chart[i])) {
+      if (!is_inside_chart(q, h)) continue;
       const Face g = t.face(t.opposite(h));
-      if (visited[g] || !q.transition[h].is_identity()) continue;
+      if (visited[g]) continue;
       visited[g] = true;
       chart.push_back(g);
     }
@@ -55,16 +62,16 @@ Texture_vertices texture_vertices(const Quartic_differential& q)
   const std::size_t none = std::numeric_limits<std::size_t>::max();
   Texture_vertices result{std::vector<std::size_t>(t.number_of_halfedges(), none), {}, {}};
   for (Halfedge h : t.halfedges()) {
-    if (result.of_corner[h] != none) continue;
-    Halfedge first = h;   // of its sector: turn clockwise to a change of charts, or once round
-    while (q.transition[first].is_identity()) {
+    if (t.is_border(h) || result.of_corner[h] != none) continue;
+    Halfedge first = h;   // of its sector: turn clockwise to a change of charts or the boundary, or once round
+    while (is_inside_chart(q, first)) {
       first = t.next(t.opposite(first));
       if (first == h) break;
     }
     Halfedge g = first;
     do {
       result.of_corner[g] = result.points.size();
-      if (!q.transition[t.prev(g)].is_identity()) break;
+      if (!is_inside_chart(q, t.prev(g))) break;
       g = t.next_around_source(g);
     } while (g != first);
     result.points.push_back(q.corner[h]);

@@ -14,10 +14,11 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-/// The vertices of a surface, once for every sector between edges with a transition other than the identity.
+/// The vertices of a surface, once for every sector between edges with a transition other than the identity, or of the
+/// boundary.
 struct Texture_vertices
 {
-  std::vector<std::size_t> of_corner;   ///< by halfedge: that of its source
+  std::vector<std::size_t> of_corner;   ///< by halfedge in a face: that of its source
   std::vector<Grid_vector> points;      ///< in the chart
   std::vector<Vertex>      vertices;    ///< of the surface
 

@@ -70,6 +70,19 @@ void add_singularities(Scene& scene, const std::vector<Marked_point>& singularit
   for (const Marked_point& s : singularities) scene.balls.push_back({s.point, radius, singularity_colour(s.order)});
 }
 
+// The sides of triangles that are the side of no other triangle.
+void add_boundary(Scene& scene)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> sides;
+  for (const Triangle& t : scene.triangles)
+    for (int k = 0; k < 3; ++k) sides.emplace_back(t[k], t[(k + 1) % 3]);
+  std::sort(sides.begin(), sides.end());
+  const double width = border_width * diagonal(scene.points);
+  for (const auto& [v, w] : sides)
+    if (!std::binary_search(sides.begin(), sides.end(), std::make_pair(w, v)))
+      scene.lines.push_back({{scene.points[v], scene.points[w]}, width, ink, false});
+}
+
 double flat_area(const std::vector<std::array<Eigen::Vector2d, 3>>& uv)
 {
   double doubled = 0;
@@ -124,6 +137,7 @@ Scene checkerboard_scene(std::vector<Point_3> points, std::vector<Triangle> tria
   scene.texture = [squares](const Eigen::Vector2d& z) {
     return internal::is_light_square(squares * z.x(), squares * z.y()) ? light_square : dark_square;
   };
+  add_boundary(scene);
   add_singularities(scene, singularities);
   return scene;
 }
@@ -161,7 +175,8 @@ Scene quads_scene(std::vector<Point_3> points, const std::vector<std::array<std:
   std::vector<Polyline> borders, inner, all;
   for (const auto& [edge, beside] : sides) {
     all.push_back({points[edge.first], points[edge.second]});
-    (beside.front() == beside.back() ? inner : borders).push_back(all.back());
+    const bool is_inner = beside.size() == 2 && beside.front() == beside.back();
+    (is_inner ? inner : borders).push_back(all.back());
   }
   const double thin = thin_width(points, all);
 
@@ -185,6 +200,7 @@ Scene wireframe_scene(std::vector<Point_3> points, std::vector<Triangle> triangl
   scene.colours.assign(scene.triangles.size(), plain);
   const double thin = thin_width(scene.points, edges);
   for (Polyline& edge : edges) scene.lines.push_back({std::move(edge), thin, soft_ink, false});
+  add_boundary(scene);
   add_singularities(scene, singularities);
   return scene;
 }
@@ -195,6 +211,7 @@ Scene loops_scene(std::vector<Point_3> points, std::vector<Triangle> triangles, 
   Scene scene = surface_scene(std::move(points), std::move(triangles));
   scene.colours.assign(scene.triangles.size(), plain);
   const double size = diagonal(scene.points);
+  add_boundary(scene);
   for (const Drawn_loop& loop : loops)
     scene.lines.push_back({rounded(loop.points), loop_width * size, loop_colour(loop.kind), true});
   add_singularities(scene, singularities);

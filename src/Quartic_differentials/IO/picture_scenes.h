@@ -16,7 +16,7 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// How the results of a run look, from the least that is needed to draw them.
+// How the results of a run look, from the least that is needed to draw them. A boundary is a line.
 
 using Triangle  = std::array<std::size_t, 3>;
 using Neighbours = std::set<std::pair<std::size_t, std::size_t>>;   // pairs of patches
@@ -48,7 +48,7 @@ internal::Scene patches_scene(std::vector<Point_3> points, const std::vector<std
 internal::Scene quads_scene(std::vector<Point_3> points, const std::vector<std::array<std::size_t, 4>>& quads,
                             const std::vector<std::size_t>& patch, const std::vector<Marked_point>& singularities);
 
-/// a closed surface with all its edges
+/// a surface with all its edges
 internal::Scene wireframe_scene(std::vector<Point_3> points, std::vector<Triangle> triangles,
                                 const std::vector<Marked_point>& singularities);
 

@@ -60,7 +60,9 @@ void write_flat_intrinsic_json(std::ostream& stream, const Quartic_differential&
     out << '[';
     for (int k = 0; k < 3; ++k) {
       const Halfedge o = t.opposite(h[k]);
-      out << '[' << t.face(o).idx() << ',' << t.corner(o) << (k < 2 ? "]," : "]]");
+      if (t.is_border(o)) out << "[-1,-1";
+      else                out << '[' << t.face(o).idx() << ',' << t.corner(o);
+      out << (k < 2 ? "]," : "]]");
     }
   });
   out << "}\n";

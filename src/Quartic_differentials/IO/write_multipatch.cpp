@@ -92,6 +92,14 @@ void write_xml_interface(Text_writer& out, const Multipatch::Interface& i)
   out << '\n';
 }
 
+// patch side, a line each (src/gsIO/gsXml.cpp, getBoundaries)
+void write_xml_boundary(Text_writer& out, const std::vector<Multipatch::Side>& boundary)
+{
+  out << "  <boundary>\n";
+  for (const Multipatch::Side& s : boundary) out << s.patch << ' ' << gismo_side(s.side).number() << '\n';
+  out << "  </boundary>\n";
+}
+
 // JSON
 
 void write_json_patch(Text_writer& out, const Multipatch::Patch& patch)
@@ -115,6 +123,14 @@ void write_json_interface(Text_writer& out, const Multipatch::Interface& i)
 {
   out << "{\"patches\":[" << i.first.patch << ',' << i.second.patch << "],\"sides\":[" << i.first.side << ','
       << i.second.side << "],\"reversed\":" << (is_reversed(i) ? "true" : "false") << '}';
+}
+
+void write_json_boundary(Text_writer& out, const std::vector<Multipatch::Side>& boundary)
+{
+  out << ",\n\"boundary\":[";
+  for (std::size_t i = 0; i < boundary.size(); ++i)
+    out << comma(i) << "\n{\"patch\":" << boundary[i].patch << ",\"side\":" << boundary[i].side << '}';
+  out << ']';
 }
 
 // VTK
@@ -203,7 +219,9 @@ void write_multipatch_xml(std::ostream& stream, const Multipatch& m)
   out << " <MultiPatch parDim=\"2\" id=\"" << m.patches.size() << "\">\n  <patches type=\"id_range\">0 "
       << m.patches.size() - 1 << "</patches>\n  <interfaces>\n";
   for (const Multipatch::Interface& i : m.interfaces) write_xml_interface(out, i);
-  out << "  </interfaces>\n </MultiPatch>\n</xml>\n";
+  out << "  </interfaces>\n";
+  if (!m.boundary.empty()) write_xml_boundary(out, m.boundary);
+  out << " </MultiPatch>\n</xml>\n";
   out.finish();
 }
 
@@ -220,7 +238,9 @@ void write_multipatch_json(std::ostream& stream, const Multipatch& m)
     out << comma(i) << '\n';
     write_json_interface(out, m.interfaces[i]);
   }
-  out << "]}\n";
+  out << ']';
+  if (!m.boundary.empty()) write_json_boundary(out, m.boundary);
+  out << "}\n";
   out.finish();
 }
 

@@ -238,7 +238,8 @@ public:
   explicit Patch_groups(Mesh patches)   // add_property_map() finds what is there
     : m_mesh(std::move(patches)), m_patch(m_mesh.add_property_map<Face, std::size_t>("f:patch").first),
       m_texture(m_mesh.add_property_map<Halfedge, Point_2>("h:texture").first),
-      m_arc(m_mesh.add_property_map<Edge, std::size_t>("e:arc").first) {}
+      m_arc(m_mesh.add_property_map<Edge, std::size_t>("e:arc").first),
+      m_order(m_mesh.add_property_map<Vertex, int>("v:singularity_order").first) {}
 
   void write(Text_writer& out)
   {
@@ -291,13 +292,14 @@ private:
   }
 
   bool is_on_arc(Halfedge h) const { return m_arc[m_mesh.edge(h)] != static_cast<std::size_t>(-1); }
-  // Between its ends an arc meets no other: a node is where there are not just two edges of arcs.
+  // Between its ends an arc meets no other: a node is where there are not just two edges of arcs, or at a singularity,
+  // where both may be of one arc.
   bool is_end(Vertex v, std::size_t arc) const
   {
     std::size_t of_arc = 0, of_others = 0;
     for (Halfedge h : m_mesh.halfedges_around_target(m_mesh.halfedge(v)))
       if (is_on_arc(h)) ++(m_arc[m_mesh.edge(h)] == arc ? of_arc : of_others);
-    return of_arc != 2 || of_others != 0;
+    return of_arc != 2 || of_others != 0 || m_order[v] != 0;
   }
 
   // the edges of an arc as a path, closed if it ends where it begins
@@ -325,6 +327,7 @@ private:
   Mesh::Property_map<Face, std::size_t>  m_patch;
   Mesh::Property_map<Halfedge, Point_2>  m_texture;
   Mesh::Property_map<Edge, std::size_t>  m_arc;
+  Mesh::Property_map<Vertex, int>        m_order;
   std::size_t                            m_texture_vertices = 0;
 };
 

@@ -47,6 +47,13 @@ const char* const description = R"(# The T-mesh of a surface, from which a T-spl
 # surface, and to choose control points is left to the reader. No program reads this file as TSM.
 )";
 
+const char* const description_of_boundary = R"(#
+# This surface has a boundary, B closed curves of edges: V - E + F = 2 - 2 genus - B. Every edge of the boundary lies on
+# one side only, FROM-TO, with the face on its left. Vertices there are
+#   t_junction                  valence 3, as above, but without the third face
+#   corner                      an extraordinary point of any valence, corner of one face fewer
+)";
+
 // by vertex: how many ends of edges are there
 std::vector<int> valences(const T_mesh& t)
 {
@@ -93,7 +100,9 @@ void write_t_spline(std::ostream& stream, const T_mesh& t, const Quartic_differe
 {
   internal::require_embedded(q.triangulation, "tmesh.tsp");
   Text_writer out(stream);
-  out << description << "unit " << t.grid_exponent << "\ncounts " << t.nodes.size() << ' ' << t.arcs.size() << ' '
+  out << description;
+  if (q.triangulation.has_boundary()) out << description_of_boundary;
+  out << "unit " << t.grid_exponent << "\ncounts " << t.nodes.size() << ' ' << t.arcs.size() << ' '
       << t.patches.size() << '\n';
   write_vertices(out, t, q);
   write_edges(out, t);

@@ -72,6 +72,26 @@ Indices Arc_points::on(const std::vector<T_mesh::Side_piece>& side, const T_mesh
   return result;
 }
 
+std::size_t number_of_cycles(const Indices& next)
+{
+  std::size_t cycles = 0;
+  std::vector<char> seen(next.size(), false);
+  for (std::size_t first = 0; first < next.size(); ++first) {
+    if (seen[first] || next[first] == none) continue;
+    ++cycles;
+    for (std::size_t i = first; !seen[i]; i = next[i]) seen[i] = true;
+  }
+  return cycles;
+}
+
+std::size_t number_of_boundary_curves(const T_mesh& t)
+{
+  Indices next(t.nodes.size(), none);
+  for (const T_mesh::Arc& arc : t.arcs)
+    if (arc.on_boundary) next[arc.from] = arc.to;
+  return number_of_cycles(next);
+}
+
 // Makes the grids of the patches one after the other.
 struct Quad_grid::Glue
 {
@@ -83,6 +103,9 @@ struct Quad_grid::Glue
     for (std::size_t p = 0; p < t.patches.size(); ++p) add_patch(p);
     grid.m_point_class = points.by_index();
     grid.m_edge_class = edges.by_index();
+    grid.m_outside.assign(grid.m_edge_class.size(), 0);
+    for (std::size_t a = 0; a < q.size(); ++a)
+      for (int i = 0; i < q[a] && t.arcs[a].on_boundary; ++i) ++grid.m_outside[grid.m_edge_class[arc_edges[a] + i]];
   }
 
   std::size_t number_of_points()
@@ -190,10 +213,11 @@ Indices Quad_grid::opposite_sides(std::string& violation) const
     auto& s = sides[m_edge_class[m_quads[h / 4].edge[h % 4]]];
     if (++s[0] <= 2) s[s[0]] = h;
   }
-  Indices result(4 * m_quads.size());
+  Indices result(4 * m_quads.size(), none);
   for (std::size_t e = 0; e < sides.size(); ++e) {
     if (m_edge_class[e] != e) continue;
-    if (sides[e][0] != 2) {
+    if (sides[e][0] == 1 && m_outside[e] == 1) continue;
+    if (sides[e][0] != 2 || m_outside[e] != 0) {
       violation = "an edge on arc " + std::to_string(m_edge_arc[e]) + " is met by " + std::to_string(sides[e][0])
                 + " quads";
       return {};
@@ -210,36 +234,52 @@ std::string Quad_grid::defect(const T_mesh& t) const
   const Indices opposite = opposite_sides(violation);
   if (!violation.empty()) return violation;
 
-  // the quads round every vertex, in one circle
+  // the quads round every vertex, in one circle or in a fan, which begins with an edge of the boundary
   std::vector<int> valence(m_point_class.size(), 0);
   std::vector<char> seen(opposite.size(), false);
-  long vertices = 0;
-  for (std::size_t first = 0; first < opposite.size(); ++first) {
-    if (seen[first]) continue;
+  Indices on_boundary(m_point_class.size(), none);   // by vertex: the next one along the boundary
+  long vertices = 0, boundary_edges = 0;
+  const auto walk_round = [&](std::size_t first) {
     const std::size_t v = vertex(m_quads[first / 4].point[first % 4]);
-    if (valence[v] != 0) return "parts of the surface that are not neighbours meet in a point";
-    for (std::size_t h = first; !seen[h]; h = opposite[h - h % 4 + (h + 3) % 4]) {
+    if (valence[v] != 0) return false;
+    for (std::size_t h = first; h != none && !seen[h]; h = opposite[h - h % 4 + (h + 3) % 4]) {
       seen[h] = true;
       ++valence[v];
     }
     ++vertices;
+    return true;
+  };
+  for (std::size_t h = 0; h < opposite.size(); ++h) {
+    if (opposite[h] != none) continue;
+    if (!walk_round(h)) return "parts of the surface that are not neighbours meet in a point";
+    const Quad& quad = m_quads[h / 4];
+    on_boundary[vertex(quad.point[h % 4])] = vertex(quad.point[(h + 1) % 4]);
+    ++boundary_edges;
   }
+  for (std::size_t h = 0; h < opposite.size(); ++h)
+    if (!seen[h] && !walk_round(h)) return "parts of the surface that are not neighbours meet in a point";
 
-  std::vector<int> expected(m_point_class.size(), 4);
+  std::vector<int> expected(m_point_class.size());
+  for (std::size_t v = 0; v < expected.size(); ++v) expected[v] = on_boundary[v] == none ? 4 : 2;
   std::vector<char> is_singular(m_point_class.size(), false);
   for (std::size_t n = 0; n < t.nodes.size(); ++n) {
     if (!t.nodes[n].is_singularity()) continue;
-    if (is_singular[vertex(n)]) return "the singularity of node " + std::to_string(n) + " is at another one";
+    const std::string singularity = "the singularity of node " + std::to_string(n);
+    if (is_singular[vertex(n)]) return singularity + " is at another one";
+    if ((on_boundary[vertex(n)] != none) != (t.nodes[n].kind == T_mesh::Node_kind::corner))
+      return singularity + " is inside and not on the boundary, or the other way round";
     is_singular[vertex(n)] = true;
-    expected[vertex(n)] = t.nodes[n].order + 4;
+    expected[vertex(n)] += t.nodes[n].order;
   }
   for (std::size_t v = 0; v < valence.size(); ++v)
     if (vertex(v) == v && valence[v] != expected[v])
       return "a vertex has " + std::to_string(valence[v]) + " quads, not " + std::to_string(expected[v]);
 
-  // every edge is on two quads: V - E + F = V - F
-  if (vertices - static_cast<long>(m_quads.size()) != t.euler_characteristic())
+  // every edge is on two quads, or one on the boundary: 2 (V - E + F) = 2 V - 2 F - edges on the boundary
+  if (2 * (vertices - static_cast<long>(m_quads.size())) - boundary_edges != 2 * t.euler_characteristic())
     return "the genus is not that of the T-mesh";
+  if (number_of_cycles(on_boundary) != number_of_boundary_curves(t))
+    return "there are not as many boundary curves as in the T-mesh";
   return {};
 }
 

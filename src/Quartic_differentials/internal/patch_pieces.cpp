@@ -52,7 +52,7 @@ struct Patch_side
   Grid_vector  start;   // in the patch
 };
 
-// By directed arc: 2a is arc a run forward.
+// By directed arc: 2a is arc a run forward. Of no meaning where an arc of the boundary runs backward.
 std::vector<Patch_side> patch_sides(const T_mesh& t)
 {
   std::vector<Patch_side> result(2 * t.arcs.size());
@@ -153,6 +153,7 @@ private:
   {
     const std::size_t from = index(piece.from), to = index(piece.to);
     for (const bool forward : {true, false}) {
+      if (!forward && m_t.arcs[piece.arc].on_boundary) continue;   // there is no surface
       const std::size_t a = forward ? from : to, b = forward ? to : from;
       const Placement placement = placement_beside(piece, forward);
       const auto same = std::find_if(m_leaving[a].begin(), m_leaving[a].end(), [&](std::size_t e) {
@@ -251,6 +252,7 @@ std::vector<std::vector<Arc_piece>> arc_pieces(const T_mesh& t, const Quartic_di
                                 k + 1 == path.size() ? chart_point(q, s.face, s.to) : exit_of(q, s), s.from, distance});
       const Ray ray = ray_through(s.from, s.direction, 0);
       for (Halfedge h : mesh.halfedges(s.face)) {
+        if (mesh.is_border(mesh.opposite(h))) continue;
         if (ray.side(charts.corner(h)) != 0 || ray.side(charts.corner(mesh.next(h))) != 0) continue;
         // along an edge: all ends are grid points, and the face on the other side needs them as well
         const Transition across_h = charts.transition(h);
@@ -280,7 +282,7 @@ void spread_to_whole_faces(const Quartic_differential& q, std::vector<Patch_piec
       if (to.halfedge != mesh.next(h)) continue;
       const Halfedge o = mesh.opposite(h);
       const Face g = mesh.face(o);
-      if (reached[g]) continue;
+      if (mesh.is_border(o) || reached[g]) continue;
       reached[g] = true;
       Patch_piece whole{g, pieces[k].patch, charts.transition(o).then(pieces[k].to_patch), {}};
       for (Halfedge corner : mesh.halfedges(g)) whole.corner.push_back(at_corner(g, corner));

@@ -23,12 +23,12 @@ const std::size_t none = static_cast<std::size_t>(-1);
 
 using Indices = std::vector<std::size_t>;
 
-// by arc: the patches on its right (used backward) and on its left (forward)
+// by arc: the patches on its right (used backward; none on the boundary) and on its left (forward)
 using Patches_at_arcs = std::vector<std::array<std::size_t, 2>>;
 
 Patches_at_arcs patches_at(const T_mesh& t)
 {
-  Patches_at_arcs result(t.arcs.size());
+  Patches_at_arcs result(t.arcs.size(), {none, none});
   for (std::size_t p = 0; p < t.patches.size(); ++p)
     for (const auto& side : t.patches[p].sides)
       for (const T_mesh::Side_piece& piece : side) result[piece.arc][piece.forward] = p;
@@ -48,7 +48,7 @@ std::vector<char> reached_patches(const T_mesh& t, const Patches_at_arcs& at, st
     for (const auto& side : t.patches[p].sides)
       for (const T_mesh::Side_piece& piece : side) {
         const std::size_t next = at[piece.arc][!piece.forward];
-        if (is_wall[piece.arc] || reached[next]) continue;
+        if (is_wall[piece.arc] || next == none || reached[next]) continue;
         reached[next] = true;
         stack.push_back(next);
       }
@@ -56,27 +56,46 @@ std::vector<char> reached_patches(const T_mesh& t, const Patches_at_arcs& at, st
   return reached;
 }
 
-// Whether a simple loop of arcs could shrink in some other quantization: then everything on one side of it does, a disk
-// that with the loop itself holds at most one singularity.
-bool may_shrink(const T_mesh& t, const Patches_at_arcs& at, const Indices& loop)
+// by node
+std::vector<char> nodes_on_boundary(const T_mesh& t)
 {
-  std::vector<char> is_wall(t.arcs.size(), false), is_on_loop(t.nodes.size(), false);
-  for (std::size_t a : loop) is_wall[a] = is_on_loop[t.arcs[a].from] = is_on_loop[t.arcs[a].to] = true;
-  for (std::size_t side : at[loop.front()]) {
+  std::vector<char> result(t.nodes.size(), false);
+  for (const T_mesh::Arc& arc : t.arcs)
+    if (arc.on_boundary) result[arc.from] = result[arc.to] = true;
+  return result;
+}
+
+// Whether a simple loop of arcs could shrink in some other quantization, or a simple path that has nothing but its ends
+// on the boundary: then everything on one side of it does, a disk, or a disk between path and boundary. With the loop or
+// path itself it holds at most one singularity, and none inside the surface if it meets the boundary.
+bool may_shrink(const T_mesh& t, const Patches_at_arcs& at, const Indices& arcs, bool is_path)
+{
+  const std::vector<char> on_boundary = nodes_on_boundary(t);
+  std::vector<char> is_wall(t.arcs.size(), false), is_on_wall(t.nodes.size(), false);
+  for (std::size_t a : arcs) is_wall[a] = is_on_wall[t.arcs[a].from] = is_on_wall[t.arcs[a].to] = true;
+  const auto [right, left] = at[arcs.front()];
+  for (std::size_t side : {right, left}) {
+    if (side == none) continue;
     const std::vector<char> reached = reached_patches(t, at, side, is_wall);
-    if (reached[at[loop.front()][0]] && reached[at[loop.front()][1]]) return false;   // the loop does not separate
-    long chi = std::count(reached.begin(), reached.end(), true), singularities = 0;
+    if (right != none && reached[right] && reached[left]) return false;   // it does not separate
+    long chi = std::count(reached.begin(), reached.end(), true), singularities = 0, singularities_inside = 0;
     std::vector<char> is_inside(t.nodes.size(), false);
     for (std::size_t a = 0; a < t.arcs.size(); ++a) {
-      if (is_wall[a] || !reached[at[a][0]]) continue;
+      if (is_wall[a] || !reached[at[a][1]]) continue;
       --chi;
       is_inside[t.arcs[a].from] = is_inside[t.arcs[a].to] = true;
     }
+    bool meets_boundary = false;
     for (std::size_t n = 0; n < t.nodes.size(); ++n) {
-      if (is_inside[n] && !is_on_loop[n]) ++chi;
-      if ((is_inside[n] || is_on_loop[n]) && t.nodes[n].is_singularity()) ++singularities;
+      if (is_inside[n] && !is_on_wall[n]) ++chi;
+      if (!is_inside[n] && !is_on_wall[n]) continue;
+      singularities += t.nodes[n].is_singularity();
+      singularities_inside += t.nodes[n].is_singularity() && !on_boundary[n];
+      meets_boundary = meets_boundary || on_boundary[n];
     }
-    if (chi == 1 && singularities <= 1) return true;
+    // of the open disk, with the arcs and nodes of the boundary between the ends of the path: one arc more than nodes
+    const bool is_disk = chi == (is_path ? 0 : 1);
+    if (is_disk && singularities <= 1 && !(meets_boundary && singularities_inside > 0)) return true;
   }
   return false;
 }
@@ -89,7 +108,7 @@ public:
     : m_t(t), m_q(q), m_patches_at(patches_at(t)), m_points(t, q)
   {
     for (std::size_t a = 0; a < t.arcs.size(); ++a)
-      if (q[a] == 0) m_edges.push_back({t.arcs[a].from, t.arcs[a].to, {a}, false, false});
+      if (q[a] == 0) m_edges.push_back({t.arcs[a].from, t.arcs[a].to, {a}, false, false, t.arcs[a].on_boundary});
     collapse_patches();
     if (with_chords)
       for (const T_mesh::Patch& patch : t.patches) add_chords(patch);
@@ -103,6 +122,7 @@ public:
   std::vector<Separating_cut> cuts()
   {
     std::vector<Separating_cut> result = paths_between_singularities();
+    for (Separating_cut& cut : paths_to_boundary()) result.push_back(std::move(cut));
     for (Separating_cut& cut : loops()) result.push_back(std::move(cut));
     return result;
   }
@@ -114,6 +134,7 @@ private:
     Indices     arcs;           // that are 0 where it shrinks
     bool        is_chord;
     bool        is_collapsed;   // with a patch of size 0 x 0, of which it was a free side
+    bool        on_boundary;
   };
 
   // Breadth-first trees: by point, the root, the edge to the parent and the number of edges from the root.
@@ -124,6 +145,7 @@ private:
     explicit Forest(std::size_t points) : root(points, none), up(points, none), depth(points, 0) {}
     bool holds(std::size_t point) const { return root[point] != none; }
     void plant(std::size_t point) { root[point] = point; }
+    void plant(std::size_t point, std::size_t of_tree) { root[point] = of_tree; }
   };
 
   std::size_t other_end(std::size_t edge, std::size_t point) const
@@ -138,6 +160,7 @@ private:
     Indices edge_of_arc(m_t.arcs.size(), none);
     for (std::size_t e = 0; e < m_edges.size(); ++e) edge_of_arc[m_edges[e].arcs.front()] = e;
     std::vector<char> is_full;   // and not collapsed yet
+    const auto holds_full = [&](std::size_t patch) { return patch != none && is_full[patch]; };
     for (const T_mesh::Patch& patch : m_t.patches)
       is_full.push_back(side_length(patch.sides[0], m_q) == 0 && side_length(patch.sides[1], m_q) == 0);
     std::deque<std::size_t> free;   // edges which may be on one full patch only
@@ -145,8 +168,8 @@ private:
     while (!free.empty()) {
       const std::size_t e = free.front(), a = m_edges[e].arcs.front();
       free.pop_front();
-      if (m_edges[e].is_collapsed || is_full[at[a][0]] == is_full[at[a][1]]) continue;
-      const std::size_t patch = is_full[at[a][0]] ? at[a][0] : at[a][1];
+      if (m_edges[e].is_collapsed || holds_full(at[a][0]) == holds_full(at[a][1])) continue;
+      const std::size_t patch = holds_full(at[a][0]) ? at[a][0] : at[a][1];
       is_full[patch] = false;
       m_edges[e].is_collapsed = true;
       for (const auto& side : m_t.patches[patch].sides)
@@ -163,7 +186,7 @@ private:
       for (const T_mesh::Side_piece& piece : patch.sides[k]) arcs.push_back(piece.arc);
       const Indices first = m_points.on(patch.sides[1 - k], m_t, m_q), second = m_points.on(patch.sides[3 - k], m_t, m_q);
       const std::size_t last = first.size() - 1;   // sides run round the patch: the other one the other way
-      for (std::size_t i = 1; i < last; ++i) m_edges.push_back({first[i], second[last - i], arcs, true, false});
+      for (std::size_t i = 1; i < last; ++i) m_edges.push_back({first[i], second[last - i], arcs, true, false, false});
     }
   }
 
@@ -210,7 +233,62 @@ private:
       singularities.push_back(n);
     }
     grow(regions, std::move(singularities), true);
-    // by pair of neighbouring regions: the edge on the shortest path between their singularities
+    return paths_between(regions);
+  }
+
+  // The components of X on the boundary, and the singularities inside, must stay apart.
+  std::vector<Separating_cut> paths_to_boundary() const
+  {
+    Forest regions(m_incident.size());
+    std::deque<std::size_t> begin;
+    for (std::size_t point : points_on_boundary()) {
+      if (regions.holds(point)) continue;
+      std::deque<std::size_t> component{point};
+      for (regions.plant(point); !component.empty(); component.pop_front()) {
+        begin.push_back(component.front());
+        for (std::size_t e : m_incident[component.front()]) {
+          const std::size_t next = other_end(e, component.front());
+          if (!m_edges[e].on_boundary || regions.holds(next)) continue;
+          regions.plant(next, point);
+          component.push_back(next);
+        }
+      }
+    }
+    if (begin.empty()) return {};
+    for (std::size_t n = 0; n < m_t.nodes.size(); ++n)
+      if (m_t.nodes[n].kind == T_mesh::Node_kind::singularity) {
+        regions.plant(n);
+        begin.push_back(n);
+      }
+    grow(regions, std::move(begin), true);
+    std::vector<Separating_cut> result;
+    for (Separating_cut& cut : paths_between(regions)) {
+      const bool is_to_singularity = std::any_of(cut.arcs.begin(), cut.arcs.end(), [&](std::size_t a) {
+        return m_t.nodes[m_t.arcs[a].from].kind == T_mesh::Node_kind::singularity
+            || m_t.nodes[m_t.arcs[a].to].kind == T_mesh::Node_kind::singularity;
+      });
+      cut.is_valid = cut.is_valid && (is_to_singularity || !may_shrink(m_t, m_patches_at, cut.arcs, true));
+      result.push_back(std::move(cut));
+    }
+    return result;
+  }
+
+  // nodes and inner points of arcs
+  Indices points_on_boundary() const
+  {
+    Indices result;
+    for (std::size_t a = 0; a < m_t.arcs.size(); ++a) {
+      if (!m_t.arcs[a].on_boundary) continue;
+      result.push_back(m_t.arcs[a].from);
+      for (int i = 1; i < m_q[a]; ++i) result.push_back(m_points(a, i));
+    }
+    return result;
+  }
+
+  // the shortest paths between the trees of two regions, for every two that are neighbours
+  std::vector<Separating_cut> paths_between(const Forest& regions) const
+  {
+    // by pair of neighbouring regions: the edge on the shortest path
     std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, std::size_t>> shortest;
     for (std::size_t e = 0; e < m_edges.size(); ++e) {
       const std::size_t u = m_edges[e].from, v = m_edges[e].to;
@@ -236,7 +314,7 @@ private:
     for (std::size_t e = 0; e < m_edges.size(); ++e) {
       if (m_edges[e].is_collapsed || forest.up[m_edges[e].from] == e || forest.up[m_edges[e].to] == e) continue;
       Separating_cut cut = closed_through(e, forest);
-      cut.is_valid = cut.is_valid && !may_shrink(m_t, m_patches_at, cut.arcs);
+      cut.is_valid = cut.is_valid && !may_shrink(m_t, m_patches_at, cut.arcs, false);
       result.push_back(std::move(cut));
     }
     return result;

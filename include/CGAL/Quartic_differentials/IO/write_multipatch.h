@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Quartic_differentials {
 
 /// writes `splines.xml` for G+Smo (METHOD, output files): every patch a `Geometry` of type `TensorBSpline2`, then a
-/// `MultiPatch` with the interfaces. Numbers read back as they were.
+/// `MultiPatch` with the interfaces and the sides on the boundary. Numbers read back as they were.
 /// Complexity: linear in the output.
 void write_multipatch_xml(std::ostream& out, const Multipatch& m);
 

@@ -37,7 +37,7 @@ void write_t_mesh_vtp(std::ostream& out, const T_mesh& t, const Quartic_differen
 /// (0, 0) to (width, height) in the units of `flat.obj`; then every arc as a group `arc_k` with one polyline, from one
 /// end to the other.
 ///
-/// The surface is closed, with one `v` for every point; texture vertices are shared within patches, not between them.
+/// There is one `v` for every point of the surface; texture vertices are shared within patches, not between them.
 /// Numbers read back as they were.
 /// \param patches the result of `patch_mesh()`
 /// Complexity: O(n log n).

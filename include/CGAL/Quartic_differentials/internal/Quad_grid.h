@@ -20,6 +20,12 @@ namespace internal {
 /// the sum of q over a side of a patch
 std::size_t side_length(const std::vector<T_mesh::Side_piece>& side, const std::vector<int>& q);
 
+/// the number of cycles of a permutation of some indices; `next` of the others is std::size_t(-1)
+std::size_t number_of_cycles(const std::vector<std::size_t>& next);
+
+/// Complexity: linear in the arcs
+std::size_t number_of_boundary_curves(const T_mesh& t);
+
 /// The points that arcs are divided into: the nodes, then the inner points of one arc after the other.
 class Arc_points
 {
@@ -72,7 +78,7 @@ public:
 private:
   struct Glue;
 
-  // by halfedge 4 * quad + k: the one on the other side; or empty, with a sentence
+  // by halfedge 4 * quad + k: the one on the other side, std::size_t(-1) on the boundary; or empty, with a sentence
   std::vector<std::size_t> opposite_sides(std::string& violation) const;
 
   std::vector<Quad>        m_quads;
@@ -80,6 +86,7 @@ private:
   std::vector<std::size_t> m_point_class;
   std::vector<std::size_t> m_edge_class;
   std::vector<std::size_t> m_edge_arc;      // by edge: the arc as part of which it gets longer
+  std::vector<int>         m_outside;       // by edge, at the first of its class: how many of this are on the boundary
 };
 
 } } } // namespace CGAL::Quartic_differentials::internal

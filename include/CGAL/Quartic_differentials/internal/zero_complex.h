@@ -22,10 +22,12 @@ struct Separating_cut
 };
 
 /// the paths and loops of the zero complex X of q that must not shrink; none if and only if every component of X has
-/// Euler characteristic 1 and at most one singularity.
+/// Euler characteristic 1 and at most one singularity, and meets the boundary nowhere, or in a connected part and
+/// without a singularity inside the surface.
 ///
-/// They are shortest paths between singularities, one for every two whose regions in X are neighbours, and the
-/// fundamental loops of a spanning forest once the patches of size 0 x 0 have been collapsed. If there are any without
+/// They are shortest paths between singularities, one for every two whose regions in X are neighbours, in the same way
+/// between components of X on the boundary and from these to singularities inside, and the fundamental loops of a
+/// spanning forest once the patches of size 0 x 0 have been collapsed. If there are any without
 /// chords, those alone are returned; if some of them are valid inequalities, only these.
 /// \pre no q is negative, and opposite sides of every patch have the same sum
 /// Complexity: linear in the arcs and in the points on them, times the cuts.
