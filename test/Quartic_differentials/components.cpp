@@ -157,6 +157,14 @@ void check_failures()
   CHECK_EQUAL(verified.status, 0);
   CHECK(contains(verified.out, "component_2: its run failed, it is not checked"));
 
+  // the largest, in which a face is there twice
+  Off_file twice = torus;
+  twice.triangles.push_back(torus.triangles[0]);
+  write_together("twice.off", {sphere, twice});
+  CHECK_EQUAL(folder.quartic("run twice.off -o twice -q --components each").status, 2);
+  file = Json::parse(contents(folder / "twice" / "components.json"));
+  CHECK(contains(file["components"][0]["reason"], "has the same corners") && file["components"][1]["exit_status"] == 0);
+
   // 6 singularities are enough on the torus, but not on the sphere, whose report says so; nothing is left of the run before
   std::ofstream(folder / "mixed" / "component_0" / "own.txt") << "not ours";
   const Outcome few = folder.quartic("run two.off -o mixed -q --components each --count 6");

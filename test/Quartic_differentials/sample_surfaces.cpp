@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 using namespace CGAL::Quartic_differentials;
 
@@ -130,16 +131,15 @@ void check_plates()
 void check_cuts()
 {
   const Mesh closed = handle_chain(2, 6);
-  std::size_t changes = 0, faces = 0;
+  std::set<std::size_t> different;
   for (unsigned seed = 1; seed <= 10; ++seed)
     for (int disks = 1; disks <= 3; ++disks) {
       const Mesh cut = with_disks_cut_out(closed, disks, 0.08, seed);
       checked_with_boundary(cut, 2, disks);
       CHECK_EQUAL(with_disks_cut_out(closed, disks, 0.08, seed).number_of_faces(), cut.number_of_faces());
-      changes += faces != cut.number_of_faces();
-      faces = cut.number_of_faces();
+      if (disks == 1) different.insert(cut.number_of_faces());
     }
-  CHECK(changes > 20);   // and not only the number of disks
+  CHECK(different.size() > 3);
   CHECK_THROWS(with_disks_cut_out(closed, 3, 1, 1), Unusable_surface_error, "take a smaller radius");
 
   const Mesh half = part_in_front(torus(2, 1, 24, 12), Vector_3(0, 0, 2));

@@ -4,7 +4,6 @@
 
 // The verification accepts a valid output folder, and rejects every way of spoiling it that is tried here.
 
-#include <CGAL/Quartic_differentials/IO/verify_outputs.h>
 #include <CGAL/Quartic_differentials/IO/write_flat_intrinsic.h>
 #include <CGAL/Quartic_differentials/IO/write_quads.h>
 #include <CGAL/Quartic_differentials/IO/write_t_mesh.h>
@@ -17,8 +16,7 @@
 
 #include "check.h"
 #include "square_tiled_surfaces.h"
-
-#include <nlohmann/json.hpp>
+#include "verified_output.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,46 +33,8 @@
 
 using namespace CGAL::Quartic_differentials;
 using namespace Quartic_test;
-using nlohmann::json;
 
 namespace {
-
-// The three files of an output folder, and the folder they are written to.
-struct Output
-{
-  json flat, tmesh, report;
-
-  std::vector<Verification> verified() const
-  {
-    write("flat_intrinsic.json", flat.dump());
-    write("tmesh.json", tmesh.dump());
-    write("report.json", report.dump());
-    return verify_outputs(folder());
-  }
-
-  const json& file(const std::string& name) const
-  { return name == "tmesh.json" ? tmesh : name == "report.json" ? report : flat; }
-
-  static std::string folder()
-  {
-    static const std::filesystem::path path = std::filesystem::temp_directory_path()
-                                            / ("quartic_verify_" + std::to_string(std::random_device()()));
-    std::filesystem::create_directories(path);
-    return path.string();
-  }
-  static void write(const std::string& name, const std::string& text) { std::ofstream(folder() + "/" + name) << text; }
-};
-
-bool all_hold(const std::vector<Verification>& checks)
-{
-  return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](const Verification& c) { return c.ok; });
-}
-
-bool fails_with(const std::vector<Verification>& checks, const std::string& sentence)
-{
-  return std::any_of(checks.begin(), checks.end(),
-                     [&](const Verification& c) { return !c.ok && c.what.find(sentence) != std::string::npos; });
-}
 
 Quartic_differential immersed(const Square_tiled_surface& s)
 {
@@ -325,23 +285,6 @@ void obj_is_exact()
   CHECK(u.size() < t.number_of_halfedges() / 2);   // corners share texture vertices away from seams
   for (const char* name : {"flat_intrinsic.mtl", "flat_intrinsic.png"})
     CHECK(std::filesystem::file_size(Output::folder() + "/" + name) > 50);
-}
-
-using Lines = std::vector<std::string>;
-
-Lines lines_of(const std::string& name)
-{
-  Lines lines;
-  std::ifstream in(Output::folder() + "/" + name);
-  for (std::string line; std::getline(in, line); ) lines.push_back(line);
-  return lines;
-}
-
-std::string joined(const Lines& lines)
-{
-  std::string text;
-  for (const std::string& line : lines) text += line + '\n';
-  return text;
 }
 
 // The results on a surface in space, spoilt one line of flat.obj at a time.

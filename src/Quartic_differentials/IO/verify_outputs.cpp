@@ -8,8 +8,10 @@
 #include <CGAL/Quartic_differentials/internal/scientific.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <nlohmann/json.hpp>
@@ -23,6 +25,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -116,10 +119,24 @@ struct Quads_report
 
 struct Report
 {
-  std::int64_t                genus = 0;
-  std::vector<std::int64_t>   orders;   // sorted
+  std::int64_t                genus = 0, boundary_curves = 0;
+  std::vector<std::int64_t>   orders;          // of singularities, sorted
+  std::vector<std::int64_t>   corner_orders;   // two less than the quads at a corner of the boundary, sorted
   std::optional<Quads_report> quads;
+
+  bool         is_closed() const { return boundary_curves == 0; }
+  std::int64_t euler_characteristic() const { return 2 - 2 * genus - boundary_curves; }
+  std::int64_t degree() const { return 8 * genus - 8 + 4 * boundary_curves; }
 };
+
+// The formulas, as they are said
+std::string euler_text(const Report& report) { return report.is_closed() ? "2-2g" : "2-2g-b"; }
+std::string degree_text(const Report& report) { return report.is_closed() ? "8g-8" : "8g-8+4b"; }
+
+std::string curves_text(std::size_t n)
+{ return std::to_string(n) + (n == 1 ? " boundary curve" : " boundary curves") + ", as in the report"; }
+
+std::size_t number_of_curves(const Report& report) { return static_cast<std::size_t>(report.boundary_curves); }
 
 Quads_report read_quads_report(const Json& json)
 {
@@ -133,14 +150,28 @@ Quads_report read_quads_report(const Json& json)
   return quads;
 }
 
+// \return the order
+std::int64_t read_corner(const Json& json)
+{
+  const std::int64_t order = integer(member(json, "order"), -1, most_items, "the order of a corner");
+  if (integer(member(json, "quads"), 1, most_items, "the quads of a corner") != order + 2)
+    throw Malformed("the number of quads at a corner is not its order + 2");
+  return order;
+}
+
 Report read_report(const std::string& folder)
 {
   const Json json = read_json(folder, "report.json");
   Report report;
-  report.genus = integer(member(member(json, "input"), "genus"), 0, most_items, "input.genus");
+  const Json& input = member(json, "input");
+  report.genus = integer(member(input, "genus"), 0, most_items, "input.genus");
+  if (input.contains("boundary")) report.boundary_curves = integer(input["boundary"], 0, most_items, "input.boundary");
   for (const Json& s : array(member(json, "singularities"), "singularities"))
     report.orders.push_back(integer(member(s, "order"), -3, most_items, "the order of a singularity"));
+  if (!report.is_closed() || json.contains("corners"))
+    for (const Json& c : array(member(json, "corners"), "corners")) report.corner_orders.push_back(read_corner(c));
   std::sort(report.orders.begin(), report.orders.end());
+  std::sort(report.corner_orders.begin(), report.corner_orders.end());
   if (json.contains("quad_mesh")) report.quads = read_quads_report(json["quad_mesh"]);
   return report;
 }
@@ -155,15 +186,16 @@ bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
 // Coordinates are at most 2^60, differences at most 2^61: products and their differences fit.
 __int128 cross(Point a, Point b) { return static_cast<__int128>(a.x) * b.y - static_cast<__int128>(a.y) * b.x; }
 
-struct Corner { std::int64_t triangle; int index; };   // also an edge: the one that begins there
+struct Corner { std::int64_t triangle = -1; int index = -1; };   // also an edge: the one that begins there
 
 struct Flat_triangle
 {
   std::array<std::int64_t, 3> vertex;
   std::array<Point, 3>        point;
-  std::array<Corner, 3>       opposite;
+  std::array<Corner, 3>       opposite;   // on the boundary none
 
   Point edge(int k) const { return point[(k + 1) % 3] - point[k]; }
+  bool  is_border(int k) const { return opposite[k].triangle < 0; }
 };
 
 struct Flat
@@ -173,7 +205,15 @@ struct Flat
   std::vector<Flat_triangle> triangles;
 };
 
-Flat read_flat(const std::string& folder)
+Corner read_opposite(const Json& glued, std::int64_t last_triangle, bool may_be_none, const std::string& name)
+{
+  array_of_size(glued, 2, "an opposite of " + name);
+  if (may_be_none && glued == Json{-1, -1}) return {};
+  return {integer(glued[0], 0, last_triangle, "an opposite triangle of " + name),
+          static_cast<int>(integer(glued[1], 0, 2, "an opposite edge of " + name))};
+}
+
+Flat read_flat(const std::string& folder, bool is_closed)
 {
   const Json json = read_json(folder, "flat_intrinsic.json");
   Flat flat;
@@ -183,8 +223,8 @@ Flat read_flat(const std::string& folder)
   const std::size_t n = triangles.size();
   const Json& uv = array_of_size(member(json, "uv"), n, "uv");
   const Json& opposite = array_of_size(member(json, "opposite"), n, "opposite");
-  if (n == 0 || n % 2 != 0 || n > static_cast<std::size_t>(most_items / 6))
-    throw Malformed(std::to_string(n) + " triangles cannot make a closed surface");
+  if (n == 0 || (is_closed && n % 2 != 0) || n > static_cast<std::size_t>(most_items / 6))
+    throw Malformed(std::to_string(n) + " triangles cannot make a " + (is_closed ? "closed surface" : "surface"));
   for (const Json& v : vertices) position(v, "the position of a vertex");
   flat.is_embedded = !vertices.empty();
 
@@ -202,9 +242,7 @@ Flat read_flat(const std::string& folder)
       f.vertex[k] = integer(triangles[t][k], 0, last_vertex, "a vertex of " + name);
       f.point[k].x = integer(uv[t][2 * k], -largest, largest, "a coordinate of " + name);
       f.point[k].y = integer(uv[t][2 * k + 1], -largest, largest, "a coordinate of " + name);
-      const Json& glued = array_of_size(opposite[t][k], 2, "an opposite of " + name);
-      f.opposite[k].triangle = integer(glued[0], 0, last_triangle, "an opposite triangle of " + name);
-      f.opposite[k].index = static_cast<int>(integer(glued[1], 0, 2, "an opposite edge of " + name));
+      f.opposite[k] = read_opposite(opposite[t][k], last_triangle, !is_closed, name);
     }
   }
   return flat;
@@ -215,6 +253,7 @@ bool is_gluing(const Flat& flat)
   for (std::size_t t = 0; t < flat.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const Flat_triangle& here = flat.triangles[t];
+      if (here.is_border(k)) continue;
       const auto [u, j] = here.opposite[k];
       const Flat_triangle& there = flat.triangles[u];
       const bool is_itself = static_cast<std::size_t>(u) == t && j == k;
@@ -234,7 +273,7 @@ bool is_connected(const Flat& flat)
     const Flat_triangle& f = flat.triangles[stack.back()];
     stack.pop_back();
     for (const Corner& o : f.opposite)
-      if (!seen[o.triangle]) {
+      if (o.triangle >= 0 && !seen[o.triangle]) {
         seen[o.triangle] = true;
         stack.push_back(o.triangle);
       }
@@ -260,23 +299,72 @@ int axes_in_corner(const Flat_triangle& f, int k)
   return n;
 }
 
-// the angle of every circle of corners, in units of 90 degrees. \pre is_gluing(flat)
-std::vector<std::int64_t> cone_angles(const Flat& flat)
+// The edge after one of the boundary. \pre is_gluing(flat)
+Corner next_on_boundary(const Flat& flat, Corner edge)
+{
+  Corner c{edge.triangle, (edge.index + 1) % 3};
+  while (!flat.triangles[c.triangle].is_border(c.index)) {
+    const Corner across = flat.triangles[c.triangle].opposite[c.index];
+    c = {across.triangle, (across.index + 1) % 3};
+  }
+  return c;
+}
+
+// the edges of the boundary, curve by curve. \pre is_gluing(flat)
+std::vector<std::vector<Corner>> boundary_curves(const Flat& flat)
 {
   std::vector<std::array<char, 3>> seen(flat.triangles.size(), {false, false, false});
-  std::vector<std::int64_t> angles;
+  std::vector<std::vector<Corner>> curves;
   for (std::size_t t = 0; t < flat.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
-      if (seen[t][k]) continue;
-      std::int64_t quarters = 0;
-      for (Corner c{static_cast<std::int64_t>(t), k}; !seen[c.triangle][c.index]; ) {
+      if (!flat.triangles[t].is_border(k) || seen[t][k]) continue;
+      curves.emplace_back();
+      for (Corner c{static_cast<std::int64_t>(t), k}; !seen[c.triangle][c.index]; c = next_on_boundary(flat, c)) {
         seen[c.triangle][c.index] = true;
-        quarters += axes_in_corner(flat.triangles[c.triangle], c.index);
-        c = flat.triangles[c.triangle].opposite[(c.index + 2) % 3];
+        curves.back().push_back(c);
       }
-      angles.push_back(quarters);
     }
+  return curves;
+}
+
+// Angles round the vertices, in units of 90 degrees: exactly, if transitions and the boundary are.
+struct Cone_angles
+{
+  std::vector<std::int64_t> inside, on_boundary;
+
+  std::int64_t number_of_vertices() const { return static_cast<std::int64_t>(inside.size() + on_boundary.size()); }
+};
+
+// of every fan of corners that begins with a boundary edge, then of every circle. \pre is_gluing(flat)
+Cone_angles cone_angles(const Flat& flat)
+{
+  std::vector<std::array<char, 3>> seen(flat.triangles.size(), {false, false, false});
+  const auto round = [&](Corner c) {
+    std::int64_t quarters = 0;
+    while (c.triangle >= 0 && !seen[c.triangle][c.index]) {
+      seen[c.triangle][c.index] = true;
+      quarters += axes_in_corner(flat.triangles[c.triangle], c.index);
+      c = flat.triangles[c.triangle].opposite[(c.index + 2) % 3];
+    }
+    return quarters;
+  };
+  Cone_angles angles;
+  for (const auto& curve : boundary_curves(flat))
+    for (Corner c : curve) angles.on_boundary.push_back(round(c));
+  for (std::size_t t = 0; t < flat.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (!seen[t][k]) angles.inside.push_back(round({static_cast<std::int64_t>(t), k}));
   return angles;
+}
+
+// angles less the usual one, without 0, sorted
+std::vector<std::int64_t> orders_of(const std::vector<std::int64_t>& angles, std::int64_t usual)
+{
+  std::vector<std::int64_t> orders;
+  for (std::int64_t quarters : angles)
+    if (quarters != usual) orders.push_back(quarters - usual);
+  std::sort(orders.begin(), orders.end());
+  return orders;
 }
 
 // the number of halfedges, two for every edge
@@ -285,10 +373,28 @@ std::size_t inexact_transitions(const Flat& flat)
   std::size_t n = 0;
   for (const Flat_triangle& f : flat.triangles)
     for (int k = 0; k < 3; ++k) {
+      if (f.is_border(k)) continue;
       const Point d = f.edge(k);
       const Point e = Point{0, 0} - flat.triangles[f.opposite[k].triangle].edge(f.opposite[k].index);
       if (!(e == d || e == Point{-d.y, d.x} || e == Point{-d.x, -d.y} || e == Point{d.y, -d.x})) ++n;
     }
+  return n;
+}
+
+std::size_t number_of_border_edges(const Flat& flat)
+{
+  std::size_t n = 0;
+  for (const Flat_triangle& f : flat.triangles)
+    for (int k = 0; k < 3; ++k) n += f.is_border(k);
+  return n;
+}
+
+// boundary edges that are not exactly horizontal or vertical
+std::size_t slanted_border_edges(const Flat& flat)
+{
+  std::size_t n = 0;
+  for (const Flat_triangle& f : flat.triangles)
+    for (int k = 0; k < 3; ++k) n += f.is_border(k) && f.edge(k).x != 0 && f.edge(k).y != 0;
   return n;
 }
 
@@ -297,8 +403,34 @@ struct Flat_facts
   Integer                   doubled_area;   // in squared grid units
   int                       grid_exponent = 0;
   bool                      is_embedded = false;
-  std::vector<std::int64_t> orders;         // sorted, without 0
+  std::vector<std::int64_t> orders, corner_orders;   // sorted, without 0
 };
+
+void verify_boundary(const std::string& name, const Flat& flat, const Report& report, Checks& checks)
+{
+  const std::size_t slanted = slanted_border_edges(flat), curves = boundary_curves(flat).size();
+  checks.push_back({curves == number_of_curves(report), name + ": " + curves_text(curves)});
+  checks.push_back({slanted == 0, name + ": " + std::to_string(slanted) + " of " + std::to_string(number_of_border_edges(flat))
+                                + " boundary edges are not parallel to an axis (exact)"});
+}
+
+void verify_cones(const std::string& name, const Flat& flat, const Report& report, Flat_facts& facts, Checks& checks)
+{
+  const Cone_angles angles = cone_angles(flat);
+  checks.push_back({angles.number_of_vertices() == number_of_vertices(flat),
+                    name + ": the triangles round every vertex form one circle"
+                    + (report.is_closed() ? "" : ", or one fan on the boundary")});
+  facts.orders = orders_of(angles.inside, 4);
+  facts.corner_orders = orders_of(angles.on_boundary, 2);
+  const std::int64_t degree = std::accumulate(facts.orders.begin(), facts.orders.end(), std::int64_t(0))
+                            + std::accumulate(facts.corner_orders.begin(), facts.corner_orders.end(), std::int64_t(0));
+  const std::string corners = report.is_closed() ? "" : std::to_string(facts.corner_orders.size()) + " corners, ";
+  checks.push_back({degree == report.degree(), name + ", cones: " + std::to_string(facts.orders.size()) + " singularities, "
+                                             + corners + "degree " + std::to_string(degree) + " = " + degree_text(report)});
+  checks.push_back({facts.orders == report.orders, name + ", cones: orders match the report"});
+  if (!report.is_closed() || !report.corner_orders.empty())
+    checks.push_back({facts.corner_orders == report.corner_orders, name + ", corners: their angles match the report"});
+}
 
 Flat_facts verify_flat(const std::string& name, const Flat& flat, const Report& report, Checks& checks)
 {
@@ -315,28 +447,19 @@ Flat_facts verify_flat(const std::string& name, const Flat& flat, const Report& 
   const bool glued = is_gluing(flat);
   checks.push_back({glued, name + ": gluing is an orientation-reversing involution that respects the vertices"});
   checks.push_back({is_connected(flat), name + ": one component"});
-  const std::int64_t vertices = number_of_vertices(flat);
-  const std::int64_t chi = vertices - static_cast<std::int64_t>(n / 2);
-  checks.push_back({chi == 2 - 2 * report.genus, name + ": Euler characteristic " + std::to_string(chi) + " = 2-2g"});
+  // V - E + F, where 3 F counts edges inside twice and those of the boundary once
+  const std::size_t edges = (3 * n + number_of_border_edges(flat)) / 2;
+  const std::int64_t chi = number_of_vertices(flat) - static_cast<std::int64_t>(edges) + static_cast<std::int64_t>(n);
+  checks.push_back({chi == report.euler_characteristic(), name + ": Euler characteristic " + std::to_string(chi) + " = "
+                                                        + euler_text(report)});
   checks.push_back({flips == 0, name + ": " + std::to_string(flips) + " of " + std::to_string(n)
                               + " triangles flipped or degenerate (exact)"});
   const std::size_t inexact = inexact_transitions(flat);
   checks.push_back({inexact == 0, name + ": " + std::to_string(inexact / 2)
                                 + " edges are not an exact rotation by k*90 deg"});
   if (!glued) return facts;
-
-  const std::vector<std::int64_t> angles = cone_angles(flat);
-  checks.push_back({static_cast<std::int64_t>(angles.size()) == vertices,
-                    name + ": the triangles round every vertex form one circle"});
-  std::int64_t degree = 0;
-  for (std::int64_t quarters : angles) {
-    if (quarters != 4) facts.orders.push_back(quarters - 4);
-    degree += quarters - 4;
-  }
-  std::sort(facts.orders.begin(), facts.orders.end());
-  checks.push_back({degree == 8 * report.genus - 8, name + ", cones: " + std::to_string(facts.orders.size())
-                                                  + " singularities, degree " + std::to_string(degree) + " = 8g-8"});
-  checks.push_back({facts.orders == report.orders, name + ", cones: orders match the report"});
+  if (!report.is_closed()) verify_boundary(name, flat, report, checks);
+  verify_cones(name, flat, report, facts, checks);
   return facts;
 }
 
@@ -358,20 +481,24 @@ std::int64_t grid_coordinate(double x, int exponent)
   return static_cast<std::int64_t>(scaled);
 }
 
-// Glues triangles that share two vertices in opposite directions; returns whether every edge found exactly one partner.
-bool glue(std::vector<Flat_triangle>& triangles)
+// Glues triangles that share two vertices in opposite directions; returns whether no edge found more than one partner, and
+// all found one if the surface is closed.
+bool glue(std::vector<Flat_triangle>& triangles, bool is_closed)
 {
   std::vector<std::tuple<std::int64_t, std::int64_t, std::int64_t, int>> edges;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (int k = 0; k < 3; ++k)
       edges.emplace_back(triangles[t].vertex[k], triangles[t].vertex[(k + 1) % 3], static_cast<std::int64_t>(t), k);
   std::sort(edges.begin(), edges.end());
-  for (const auto& [from, to, t, k] : edges) {
+  const auto has_ends = [&](auto edge, std::int64_t from, std::int64_t to) {
+    return edge != edges.end() && std::get<0>(*edge) == from && std::get<1>(*edge) == to;
+  };
+  for (auto edge = edges.begin(); edge != edges.end(); ++edge) {
+    const auto& [from, to, t, k] = *edge;
+    if (has_ends(std::next(edge), from, to)) return false;
     const auto partner = std::lower_bound(edges.begin(), edges.end(), std::make_tuple(to, from, std::int64_t(-1), -1));
-    if (partner == edges.end() || std::get<0>(*partner) != to || std::get<1>(*partner) != from) return false;
-    const auto second = std::next(partner);
-    if (second != edges.end() && std::get<0>(*second) == to && std::get<1>(*second) == from) return false;
-    triangles[t].opposite[k] = {std::get<2>(*partner), std::get<3>(*partner)};
+    if (has_ends(partner, to, from)) triangles[t].opposite[k] = {std::get<2>(*partner), std::get<3>(*partner)};
+    else if (is_closed) return false;
   }
   return true;
 }
@@ -402,7 +529,58 @@ Flat_obj read_flat_obj(const std::string& folder, int grid_exponent)
 using Surface_tree = CGAL::AABB_tree<CGAL::AABB_traits<CGAL::Simple_cartesian<double>,
                                                        CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
 
+using Kernel        = CGAL::Simple_cartesian<double>;
+using Segments      = std::vector<Kernel::Segment_3>;
+using Boundary_tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator>>>;
+
 Point_3 point_3(const Position& p) { return {p[0], p[1], p[2]}; }
+
+double diagonal(const CGAL::Bbox_3& box)
+{ return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()); }
+
+Segments boundary_of(const Mesh& mesh)
+{
+  Segments segments;
+  for (Halfedge h : mesh.halfedges())
+    if (mesh.is_border(h)) segments.emplace_back(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  return segments;
+}
+
+double total_length(const Segments& segments)
+{
+  double length = 0;
+  for (const Kernel::Segment_3& s : segments) length += std::sqrt(s.squared_length());
+  return length;
+}
+
+double farthest_from(const Segments& segments, const std::vector<Point_3>& points)
+{
+  const Boundary_tree tree(segments.begin(), segments.end());
+  double farthest = 0;
+  for (const Point_3& p : points) farthest = std::max(farthest, std::sqrt(tree.squared_distance(p)));
+  return farthest;
+}
+
+// The boundary lies on that of the input and covers it.
+void verify_boundary_on_input(const Flat_obj& obj, const Mesh& input, double size, Checks& checks)
+{
+  const Segments expected = boundary_of(input);
+  Segments segments;
+  std::vector<Point_3> points;
+  for (const Flat_triangle& f : obj.flat.triangles)
+    for (int k = 0; k < 3; ++k) {
+      if (!f.is_border(k)) continue;
+      const Point_3 from = point_3(obj.points[f.vertex[k]]), to = point_3(obj.points[f.vertex[(k + 1) % 3]]);
+      segments.emplace_back(from, to);
+      points.insert(points.end(), {from, CGAL::midpoint(from, to)});
+    }
+  const bool both = !expected.empty() && !segments.empty();
+  const double farthest = both ? farthest_from(expected, points) : 0, length = total_length(expected);
+  checks.push_back({both && farthest <= 1e-12 * size, "flat.obj: its boundary lies on the input's, within "
+                                                    + scientific(farthest / size) + " of its diagonal"});
+  checks.push_back({both && std::abs(total_length(segments) - length) <= 1e-9 * length,
+                    "flat.obj: its boundary is as long as the input's"});
+}
 
 // The triangles lie on the input and cover it.
 void verify_on_input(const Flat_obj& obj, const Mesh& input, Checks& checks)
@@ -416,8 +594,7 @@ void verify_on_input(const Flat_obj& obj, const Mesh& input, Checks& checks)
                               + " vertices of the input are missing or have moved (exact)"});
 
   const Surface_tree tree(input.faces().begin(), input.faces().end(), input);
-  const CGAL::Bbox_3 box = tree.bbox();
-  const double size = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  const double size = diagonal(tree.bbox());
   double farthest = 0, area = 0, input_area = 0;
   const auto look = [&](const Point_3& p) { farthest = std::max(farthest, std::sqrt(tree.squared_distance(p))); };
   for (std::size_t v = n; v < obj.points.size(); ++v) look(point_3(obj.points[v]));
@@ -436,12 +613,14 @@ void verify_on_input(const Flat_obj& obj, const Mesh& input, Checks& checks)
                                             + " of its diagonal"});
   checks.push_back({std::abs(area - input_area) <= 1e-9 * input_area, "flat.obj: covers the input's area up to "
                                                                     + scientific(std::abs(area - input_area) / input_area)});
+  if (number_of_border_edges(obj.flat) > 0 || !CGAL::is_closed(input)) verify_boundary_on_input(obj, input, size, checks);
 }
 
 void verify_flat_obj(Flat_obj obj, const Flat_facts& flat, const Report& report, const Mesh* input, Checks& checks)
 {
-  const bool glued = glue(obj.flat.triangles);
-  checks.push_back({glued, "flat.obj: every edge is shared by two triangles, in opposite directions"});
+  const bool glued = glue(obj.flat.triangles, report.is_closed());
+  checks.push_back({glued, report.is_closed() ? "flat.obj: every edge is shared by two triangles, in opposite directions"
+                                              : "flat.obj: no edge is shared by more than two triangles, in opposite directions"});
   if (!glued) return;
   const Flat_facts facts = verify_flat("flat.obj", obj.flat, report, checks);
   checks.push_back({facts.doubled_area == flat.doubled_area, "flat.obj: exactly the area of the flat triangulation"});
@@ -456,6 +635,9 @@ struct Node
   std::int64_t            order = 0;
   std::optional<Position> position;
   std::int64_t            arms = 0, corners = 0;
+  std::int64_t            boundary_begins = 0, boundary_ends = 0;   // of arcs of the boundary
+
+  bool is_on_boundary() const { return boundary_begins > 0; }
 };
 
 struct Arc
@@ -464,6 +646,8 @@ struct Arc
   std::int64_t                               length = 0;
   std::optional<std::pair<Position, Position>> ends;   // of the polyline
   std::int64_t                               forward_uses = 0, backward_uses = 0;
+
+  bool is_on_boundary() const { return forward_uses == 1 && backward_uses == 0; }
 };
 
 struct Side_piece { std::size_t arc; bool forward; };
@@ -599,6 +783,9 @@ void count_uses(Tmesh& t)
   for (const Arc& a : t.arcs) {
     ++t.nodes[a.from].arms;
     ++t.nodes[a.to].arms;
+    if (!a.is_on_boundary()) continue;
+    ++t.nodes[a.from].boundary_begins;
+    ++t.nodes[a.to].boundary_ends;
   }
 }
 
@@ -608,6 +795,44 @@ bool fits_its_kind(const Node& n)
   if (n.kind == "meeting")     return n.arms == 2 && n.corners == 0;
   if (n.kind == "t_junction")  return n.arms == 3 && n.corners == 2;
   return n.kind == "crossing" && n.arms == 4 && n.corners == 4;
+}
+
+// T-junctions are inside or on the boundary.
+bool fits_its_kind_with_boundary(const Node& n)
+{
+  if (n.kind == "corner")     return n.is_on_boundary() && n.arms == n.order + 3 && n.corners == n.order + 2;
+  if (n.kind == "boundary")   return n.is_on_boundary() && n.arms == 2 && n.corners == 0;
+  if (n.kind == "t_junction") return fits_its_kind(n);
+  return !n.is_on_boundary() && fits_its_kind(n);
+}
+
+// the number of closed curves that arcs of the boundary form, if one begins where one ends; nothing otherwise
+std::optional<std::size_t> number_of_boundary_curves(const Tmesh& t)
+{
+  for (const Node& n : t.nodes)
+    if (n.boundary_begins > 1 || n.boundary_begins != n.boundary_ends) return {};
+  std::vector<std::size_t> next(t.nodes.size());
+  for (std::size_t n = 0; n < next.size(); ++n) next[n] = n;
+  for (const Arc& a : t.arcs)
+    if (a.is_on_boundary()) next[a.from] = a.to;
+  std::vector<char> seen(next.size(), false);
+  std::size_t curves = 0;
+  for (std::size_t n = 0; n < next.size(); ++n) {
+    if (seen[n] || !t.nodes[n].is_on_boundary()) continue;
+    ++curves;
+    for (std::size_t m = n; !seen[m]; m = next[m]) seen[m] = true;
+  }
+  return curves;
+}
+
+// the orders of the nodes of a kind, sorted
+std::vector<std::int64_t> orders_of(const Tmesh& t, const std::string& kind)
+{
+  std::vector<std::int64_t> orders;
+  for (const Node& n : t.nodes)
+    if (n.kind == kind) orders.push_back(n.order);
+  std::sort(orders.begin(), orders.end());
+  return orders;
 }
 
 bool ends_at_its_nodes(const Tmesh& t, const Arc& a, double tolerance)
@@ -628,29 +853,34 @@ void verify_tmesh(Tmesh t, const Flat_facts& flat, const Report& report, Checks&
                     "tmesh: " + std::to_string(t.patches.size()) + " patches are exact rectangles"});
   checks.push_back({all(t.patches, [&](const Patch& p) { return closes_up(t, p); }),
                     "tmesh: the sides of every patch close up"});
-  checks.push_back({all(t.arcs, [](const Arc& a) { return a.forward_uses == 1 && a.backward_uses == 1; }),
-                    "tmesh: every arc is used once forward and once backward"});
+  checks.push_back({all(t.arcs, [&](const Arc& a) {
+                      return a.forward_uses == 1 && (a.backward_uses == 1 || (a.backward_uses == 0 && !report.is_closed()));
+                    }), std::string("tmesh: every arc is used once forward and ")
+                        + (report.is_closed() ? "once backward" : "at most once backward")});
   checks.push_back({all(t.arcs, [](const Arc& a) { return a.length > 0; }), "tmesh: every arc has positive length"});
 
   const std::int64_t chi = static_cast<std::int64_t>(t.nodes.size()) - static_cast<std::int64_t>(t.arcs.size())
                          + static_cast<std::int64_t>(t.patches.size());
-  checks.push_back({chi == 2 - 2 * report.genus, "tmesh: V-E+F = " + std::to_string(chi) + " = 2-2g"});
+  checks.push_back({chi == report.euler_characteristic(), "tmesh: V-E+F = " + std::to_string(chi) + " = " + euler_text(report)});
 
   Integer area = 0;
   for (const Patch& p : t.patches) area += Integer(p.width) * p.height;
   checks.push_back({(area << (2 * flat.grid_exponent + 1)) == (flat.doubled_area << (2 * t.grid_exponent)),
                     "tmesh: patch areas sum exactly to the flat area"});
 
-  std::vector<std::int64_t> orders;
   double size = 0;
-  for (const Node& n : t.nodes) {
-    if (n.kind == "singularity") orders.push_back(n.order);
+  for (const Node& n : t.nodes)
     if (n.position)
       for (double x : *n.position) size = std::max(size, std::abs(x));
+  checks.push_back({orders_of(t, "singularity") == flat.orders, "tmesh: one node for every singularity"});
+  if (!report.is_closed()) {
+    const std::optional<std::size_t> curves = number_of_boundary_curves(t);
+    checks.push_back({curves.has_value(), "tmesh: the arcs with a patch on one side form closed curves"});
+    if (curves) checks.push_back({*curves == number_of_curves(report), "tmesh: " + curves_text(*curves)});
+    checks.push_back({orders_of(t, "corner") == flat.corner_orders, "tmesh: one node for every corner"});
   }
-  std::sort(orders.begin(), orders.end());
-  checks.push_back({orders == flat.orders, "tmesh: one node for every singularity"});
-  checks.push_back({all(t.nodes, fits_its_kind), "tmesh: arms and patch corners fit the kind of every node"});
+  checks.push_back({all(t.nodes, report.is_closed() ? fits_its_kind : fits_its_kind_with_boundary),
+                    "tmesh: arms and patch corners fit the kind of every node"});
   checks.push_back({all(t.arcs, [&](const Arc& a) { return ends_at_its_nodes(t, a, 1e-9 * size); }),
                     "tmesh: polylines end at their nodes"});
 }
@@ -685,15 +915,15 @@ Quads_obj read_quads(const std::string& folder)
 struct Quad_edge { std::size_t quad, before; };
 using Quad_edges = std::map<std::pair<std::size_t, std::size_t>, Quad_edge>;
 
-// nothing if two quads run along an edge in the same direction, or one of them on one side only
-std::optional<Quad_edges> closed_edges(const std::vector<Quad>& quads)
+// nothing if two quads run along an edge in the same direction, or on a closed surface one of them on one side only
+std::optional<Quad_edges> quad_edges(const std::vector<Quad>& quads, bool is_closed)
 {
   Quad_edges edges;
   for (std::size_t f = 0; f < quads.size(); ++f)
     for (int k = 0; k < 4; ++k)
       if (!edges.insert({{quads[f].vertex[k], quads[f].next(k)}, {f, quads[f].vertex[(k + 3) % 4]}}).second) return {};
   for (const auto& [ends, edge] : edges)
-    if (edges.count({ends.second, ends.first}) == 0) return {};
+    if (is_closed && edges.count({ends.second, ends.first}) == 0) return {};
   return edges;
 }
 
@@ -706,7 +936,9 @@ bool is_connected(const std::vector<Quad>& quads, const Quad_edges& edges)
     const Quad& quad = quads[stack.back()];
     stack.pop_back();
     for (int k = 0; k < 4; ++k) {
-      const std::size_t neighbour = edges.at({quad.next(k), quad.vertex[k]}).quad;
+      const auto across = edges.find({quad.next(k), quad.vertex[k]});
+      if (across == edges.end()) continue;
+      const std::size_t neighbour = across->second.quad;
       if (!seen[neighbour]) stack.push_back(neighbour);
       seen[neighbour] = true;
     }
@@ -714,14 +946,43 @@ bool is_connected(const std::vector<Quad>& quads, const Quad_edges& edges)
   return std::find(seen.begin(), seen.end(), false) == seen.end();
 }
 
-// the number of quads on the circle round the beginning of an edge
-std::size_t circle(const Quad_edges& edges, const std::pair<std::size_t, std::size_t>& edge)
+// the number of quads on the circle round the beginning of an edge, or up to the boundary
+std::size_t quads_around(const Quad_edges& edges, const std::pair<std::size_t, std::size_t>& edge)
 {
   std::size_t n = 0, to = edge.second;
   do {
-    to = edges.at({edge.first, to}).before;
+    const auto quad = edges.find({edge.first, to});
+    if (quad == edges.end()) return n;
+    to = quad->second.before;
     ++n;
   } while (to != edge.second);
+  return n;
+}
+
+bool is_border(const Quad_edges& edges, const std::pair<std::size_t, std::size_t>& edge)
+{ return edges.count({edge.second, edge.first}) == 0; }
+
+// the beginnings of boundary edges, each with the end, which is the next; one of them at a vertex with several
+std::map<std::size_t, std::size_t> boundary_of(const Quad_edges& edges)
+{
+  std::map<std::size_t, std::size_t> next;
+  for (const auto& [ends, edge] : edges)
+    if (is_border(edges, ends)) next.insert(ends);
+  return next;
+}
+
+// the curves that these make up
+std::size_t number_of_curves(std::map<std::size_t, std::size_t> next)
+{
+  std::size_t n = 0;
+  while (!next.empty()) {
+    ++n;
+    for (auto at = next.begin(); at != next.end(); ) {
+      const std::size_t to = at->second;
+      next.erase(at);
+      at = next.find(to);
+    }
+  }
   return n;
 }
 
@@ -769,36 +1030,62 @@ void verify_quad_shapes(const Quads_obj& obj, const Quads_report& report, const 
                     + scientific(std::abs(least - report.least_jacobian))});
   if (input == nullptr) return;
   const Surface_tree tree(input->faces().begin(), input->faces().end(), *input);
-  const CGAL::Bbox_3 box = tree.bbox();
-  const double size = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  const double size = diagonal(tree.bbox());
   double farthest = 0;
   for (const Position& p : obj.points) farthest = std::max(farthest, std::sqrt(tree.squared_distance(point_3(p))));
   checks.push_back({farthest <= 1e-9 * size, "quads.obj: vertices lie on the input, within "
                                            + scientific(farthest / size) + " of its diagonal"});
 }
 
-void verify_quad_surface(const Quads_obj& obj, const Report& report, Checks& checks)
+void verify_quad_boundary(const Quads_obj& obj, const Quad_edges& edges, const Mesh& input, Checks& checks)
 {
-  const std::optional<Quad_edges> edges = closed_edges(obj.quads);
-  checks.push_back({edges.has_value(), "quads.obj: every edge is shared by two quads, in opposite directions, and no "
-                                       "two edges have the same ends"});
+  const Segments expected = boundary_of(input);
+  std::vector<Point_3> points;
+  for (const auto& [v, next] : boundary_of(edges)) points.push_back(point_3(obj.points[v]));
+  CGAL::Bbox_3 box;
+  for (Vertex v : input.vertices()) box += input.point(v).bbox();
+  const bool both = !expected.empty() && !points.empty();
+  const double farthest = both ? farthest_from(expected, points) / diagonal(box) : 0;
+  checks.push_back({both && farthest <= 1e-9, "quads.obj: its boundary vertices lie on the input's boundary, within "
+                                            + scientific(farthest) + " of its diagonal"});
+}
+
+void verify_quad_surface(const Quads_obj& obj, const Report& report, const Mesh* input, Checks& checks)
+{
+  const std::optional<Quad_edges> edges = quad_edges(obj.quads, report.is_closed());
+  checks.push_back({edges.has_value(), std::string("quads.obj: ")
+                    + (report.is_closed() ? "every edge is shared by two quads" : "no edge is shared by more than two quads")
+                    + ", in opposite directions, and no two edges have the same ends"});
   if (!edges) return;
-  std::vector<std::size_t> valence(obj.points.size(), 0);
+  std::vector<std::int64_t> valence(obj.points.size(), 0);
   for (const Quad& quad : obj.quads)
     for (std::size_t v : quad.vertex) ++valence[v];
+  const std::map<std::size_t, std::size_t> boundary = boundary_of(*edges);
+  const std::string circle = report.is_closed() ? "one circle" : "one circle, or one fan on the boundary";
   checks.push_back({is_connected(obj.quads, *edges), "quads.obj: one component"});
   checks.push_back({std::all_of(edges->begin(), edges->end(), [&](const auto& edge) {
-                      return circle(*edges, edge.first) == valence[edge.first.first];
-                    }), "quads.obj: the quads round every vertex form one circle"});
-  // every edge is on two quads: E = 2F
-  const std::int64_t chi = static_cast<std::int64_t>(obj.points.size()) - static_cast<std::int64_t>(obj.quads.size());
-  checks.push_back({chi == 2 - 2 * report.genus, "quads.obj: Euler characteristic " + std::to_string(chi) + " = 2-2g"});
-  std::vector<std::int64_t> orders;
-  for (std::size_t n : valence)
-    if (n != 4) orders.push_back(static_cast<std::int64_t>(n) - 4);
-  std::sort(orders.begin(), orders.end());
+                      const auto& ends = edge.first;
+                      const std::size_t n = static_cast<std::size_t>(valence[ends.first]);
+                      if (boundary.count(ends.first) == 1 && !is_border(*edges, ends)) return true;   // not where a fan begins
+                      return quads_around(*edges, ends) == n;
+                    }), "quads.obj: the quads round every vertex form " + circle});
+  // V - E + F, where 4 F counts edges inside twice and those of the boundary once
+  const std::size_t number_of_edges = (4 * obj.quads.size() + boundary.size()) / 2;
+  const std::int64_t chi = static_cast<std::int64_t>(obj.points.size()) - static_cast<std::int64_t>(number_of_edges)
+                         + static_cast<std::int64_t>(obj.quads.size());
+  checks.push_back({chi == report.euler_characteristic(), "quads.obj: Euler characteristic " + std::to_string(chi) + " = "
+                                                        + euler_text(report)});
+  std::vector<std::int64_t> inside, on_boundary;
+  for (std::size_t v = 0; v < valence.size(); ++v) (boundary.count(v) == 1 ? on_boundary : inside).push_back(valence[v]);
+  const std::vector<std::int64_t> orders = orders_of(inside, 4), corner_orders = orders_of(on_boundary, 2);
   checks.push_back({orders == report.orders, "quads.obj: " + std::to_string(orders.size())
                                            + " irregular vertices are exactly the singularities"});
+  if (report.is_closed()) return;
+  const std::size_t curves = number_of_curves(boundary);
+  checks.push_back({curves == number_of_curves(report), "quads.obj: " + curves_text(curves)});
+  checks.push_back({corner_orders == report.corner_orders, "quads.obj: " + std::to_string(corner_orders.size())
+                                                         + " irregular vertices of the boundary are exactly the corners"});
+  if (input != nullptr) verify_quad_boundary(obj, *edges, *input, checks);
 }
 
 void verify_quad_patches(const Quads_obj& obj, const Quads_report& report, const Ids& patch_ids, Checks& checks)
@@ -827,7 +1114,7 @@ void verify_quads(const Quads_obj& obj, const Report& report, const Ids& patch_i
                       std::sort(v.begin(), v.end());
                       return std::adjacent_find(v.begin(), v.end()) == v.end();
                     }), "quads.obj: no quad has a vertex twice"});
-  verify_quad_surface(obj, report, checks);
+  verify_quad_surface(obj, report, input, checks);
   verify_quad_patches(obj, *report.quads, patch_ids, checks);
   verify_quad_shapes(obj, *report.quads, input, checks);
 }
@@ -842,14 +1129,14 @@ std::vector<Verification> verify_outputs(const std::string& folder, const Intrin
     file = "report.json";
     const Report report = read_report(folder);
     file = "flat_intrinsic.json";
-    const Flat_facts facts = verify_flat("flat_intrinsic", read_flat(folder), report, checks);
+    const Flat_facts facts = verify_flat("flat_intrinsic", read_flat(folder, report.is_closed()), report, checks);
     file = "flat.obj";
     const Mesh* mesh = input != nullptr && input->is_embedded() ? &input->mesh() : nullptr;
     if (mesh != nullptr || (facts.is_embedded && has_file(folder, file)))
       verify_flat_obj(read_flat_obj(folder, facts.grid_exponent), facts, report, mesh, checks);
     file = "tmesh.json";
     Ids patch_ids;
-    if (report.orders.empty() && !has_file(folder, file)) {
+    if (report.orders.empty() && report.corner_orders.empty() && !has_file(folder, file)) {
       checks.push_back({true, "tmesh: none, there is no singularity"});
     } else {
       const Tmesh t = read_tmesh(folder, facts.is_embedded);
