@@ -14,38 +14,6 @@
 
 using namespace Quartic_test;
 
-<<<<<<< HEAD
-// A rectangle of unit squares, each cut along a diagonal, with the lower left corner at the origin.
-Mesh rectangle(int width, int height)
-{
-  Mesh mesh;
-  for (int y = 0; y <= height; ++y)
-    for (int x = 0; x <= width; ++x) mesh.add_vertex(Point_3(x, y, 0));
-  const auto vertex = [&](int x, int y) { return Vertex(static_cast<Mesh::size_type>(y * (width + 1) + x)); };
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      mesh.add_face(vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1));
-      mesh.add_face(vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1));
-    }
-  return mesh;
-}
-
-Singularity corner_at(const Intrinsic_triangulation& t, Vertex v, int quads)
-{
-  return {on_edge(t, t.halfedge_from(v), 0), quads - 2, true, true};
-}
-
-Quartic_differential_result run(const Intrinsic_triangulation& input, const Divisor& divisor, int precision = 0)
-{
-  Visitor visitor;
-  Quartic_differential_result result;
-  Quartic_differential_options options;
-  options.corners = Divisor();   // all are in the divisor
-  options.precision = precision;
-  quartic_differential(input, divisor, options, visitor, result);
-  return result;
-}
-
 // The differential on two copies of a surface, the second with the charts conj(z), glued along the boundary: a closed
 // surface, on which a corner of order n is a singularity of order 2n.
 Quartic_differential mirror_double(const Quartic_differential& q)
@@ -93,8 +61,6 @@ Quartic_differential mirror_double(const Quartic_differential& q)
   return d;
 }
 
-=======
->>>>>>> bca0955 (Surfaces with boundary: surfaces cut along the T-mesh, lines on the input, pictures and files)
 // Every invariant of the results, and the counts of corners by hand.
 void check_results(const Intrinsic_triangulation& input, const Quartic_differential_result& r)
 {
@@ -168,7 +134,7 @@ void test_prism()
   const Intrinsic_triangulation t(mesh);
   CHECK(t.source(t.boundary_curves()[0].front()) == vertex(0, 0));
   CHECK(t.source(t.boundary_curves()[1].front()) == vertex(0, 1));
-  const Quartic_differential_result r = run(t, {});
+  const Quartic_differential_result r = run_pipeline(t, Divisor());
   check_results(t, r);
   CHECK_EQUAL(r.t_mesh->nodes.size(), 2u);
   CHECK_EQUAL(r.t_mesh->arcs.size(), 3u);
@@ -180,7 +146,7 @@ void test_defects()
 {
   const Intrinsic_triangulation t(rectangle(6, 4));
   std::mt19937 random(8);
-  const Quartic_differential_result r = run(t, random_divisor(t, {{1, 1, 1, 1, 1, 3}}, 1, random));
+  const Quartic_differential_result r = run_pipeline(t, random_divisor(t, {{1, 1, 1, 1, 1, 3}}, 1, random));
   const Quartic_differential& q = r.traced();
   const T_mesh& good = *r.t_mesh;
   CHECK_EQUAL(defect(good, q), "");
@@ -238,7 +204,9 @@ void test_precision()
     split_obtuse_at_boundary(t);
     std::vector<std::vector<int>> corners(s.curves, {1, 1, 1, 1});
     const Divisor divisor = random_divisor(t, corners, 1, random);
-    const Quartic_differential_result r = run(t, divisor, 128);
+    Quartic_differential_options options;
+    options.precision = 128;
+    const Quartic_differential_result r = run_pipeline(t, divisor, options);
     check_results(t, r);
     CHECK_EQUAL(r.precision->bits, 128);
     CHECK(r.precision->max_curvature_error <= 1e-29);
@@ -255,19 +223,12 @@ void test_random_divisors(int cases)
   const std::vector<Surface_with_boundary> surfaces = surfaces_with_boundary();
   int verified = 0, infeasible = 0, numerical = 0;
   for (int n = 0; n < cases; ++n) {
-<<<<<<< HEAD
-    const Surface_with_boundary& s = surfaces[n % surfaces.size()];
+    Surface_with_boundary s = surfaces[n % surfaces.size()];
     const bool obtuse = n % 4 == 3;
-    Intrinsic_triangulation t = obtuse ? with_obtuse_rim(s.surface, 179, random) : s.surface;
-    split_obtuse_at_boundary(t);
-    std::vector<std::vector<int>> corners;
-    for (int c = 0; c < s.curves; ++c) corners.push_back(lists[random() % lists.size()]);
-    const Divisor divisor = random_divisor(t, corners, static_cast<int>(random() % 3), random);
-    std::cout << n << ", " << s.name << (obtuse ? ", obtuse rim, " : ", ") << divisor.size() << " singularities: " << std::flush;
-=======
-    const Boundary_case c = random_case(surfaces[n % surfaces.size()], random);
-    std::cout << n << ", " << c.name << ", " << c.divisor.size() << " singularities: " << std::flush;
->>>>>>> bca0955 (Surfaces with boundary: surfaces cut along the T-mesh, lines on the input, pictures and files)
+    if (obtuse) s.surface = with_obtuse_rim(s.surface, 179, random);
+    const Boundary_case c = random_case(s, random);
+    std::cout << n << ", " << c.name << (obtuse ? ", obtuse rim, " : ", ") << c.divisor.size() << " singularities: "
+              << std::flush;
     try {
       const Quartic_differential_result r = run_pipeline(c.surface, c.divisor);
       check_results(c.surface, r);

@@ -22,12 +22,13 @@ run_pipeline(const CGAL::Quartic_differentials::Intrinsic_triangulation& input,
   return result;
 }
 
-/// the results of the pipeline with a divisor
+/// the results of the pipeline with a divisor, in which all corners of the boundary are
 inline CGAL::Quartic_differentials::Quartic_differential_result
 run_pipeline(const CGAL::Quartic_differentials::Intrinsic_triangulation& input,
              const CGAL::Quartic_differentials::Divisor& divisor,
-             const CGAL::Quartic_differentials::Quartic_differential_options& options = {})
+             CGAL::Quartic_differentials::Quartic_differential_options options = {})
 {
+  options.corners = CGAL::Quartic_differentials::Divisor();
   CGAL::Quartic_differentials::Visitor visitor;
   CGAL::Quartic_differentials::Quartic_differential_result result;
   quartic_differential(input, divisor, options, visitor, result);
