@@ -8,12 +8,9 @@
 #include <CGAL/Quartic_differentials/internal/Distance_sum.h>
 #include <CGAL/Quartic_differentials/internal/Nearest_point.h>
 #include <CGAL/Quartic_differentials/internal/Quad_shape.h>
+#include <CGAL/Quartic_differentials/internal/aabb_tree.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
 #include <CGAL/Quartic_differentials/laplacian.h>
-
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 
 #include <algorithm>
 #include <array>
@@ -27,7 +24,6 @@ namespace Quartic_differentials {
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
 using Quad_corners = std::array<Point_3, 4>;
 
 struct Spread_sum
@@ -109,15 +105,14 @@ Surface_distance distance_to_input(const Intrinsic_triangulation& input, const Q
 
 Surface_distance distance_from_input(const Intrinsic_triangulation& input, const Quad_mesh& m)
 {
-  using Triangles = std::vector<Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Triangles = std::vector<internal::Aabb_kernel::Triangle_3>;
   Triangles triangles;
   for (std::size_t f = 0; f < m.quads.size(); ++f) {
     const Quad_corners p = m.corners(f);
     const Point_3 centre = Bilinear_point(p, 0.5, 0.5).point;
     for (int k = 0; k < 4; ++k) triangles.emplace_back(p[k], p[(k + 1) % 4], centre);
   }
-  const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(triangles.begin(), triangles.end());
+  const internal::Triangle_tree<Triangles::const_iterator> tree(triangles.begin(), triangles.end());
   const std::vector<double> area = vertex_areas(input);
   internal::Distance_sum distances;
   for (Vertex v : input.mesh().vertices()) distances.add(tree.squared_distance(input.mesh().point(v)), area[v]);

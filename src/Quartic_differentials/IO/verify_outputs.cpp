@@ -4,13 +4,10 @@
 
 #include <CGAL/Quartic_differentials/IO/verify_outputs.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/aabb_tree.h>
 #include <CGAL/Quartic_differentials/internal/read_obj.h>
 #include <CGAL/Quartic_differentials/internal/scientific.h>
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -526,12 +523,9 @@ Flat_obj read_flat_obj(const std::string& folder, int grid_exponent)
   return obj;
 }
 
-using Surface_tree = CGAL::AABB_tree<CGAL::AABB_traits<CGAL::Simple_cartesian<double>,
-                                                       CGAL::AABB_face_graph_triangle_primitive<Mesh>>>;
-
 using Kernel        = CGAL::Simple_cartesian<double>;
 using Segments      = std::vector<Kernel::Segment_3>;
-using Boundary_tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator>>>;
+using Boundary_tree = internal::Segment_tree<Segments::const_iterator>;
 
 Point_3 point_3(const Position& p) { return {p[0], p[1], p[2]}; }
 
@@ -593,7 +587,7 @@ void verify_on_input(const Flat_obj& obj, const Mesh& input, Checks& checks)
   checks.push_back({moved == 0, "flat.obj: " + std::to_string(moved) + " of " + std::to_string(input.number_of_vertices())
                               + " vertices of the input are missing or have moved (exact)"});
 
-  const Surface_tree tree(input.faces().begin(), input.faces().end(), input);
+  const internal::Face_tree<Mesh> tree(input.faces().begin(), input.faces().end(), input);
   const double size = diagonal(tree.bbox());
   double farthest = 0, area = 0, input_area = 0;
   const auto look = [&](const Point_3& p) { farthest = std::max(farthest, std::sqrt(tree.squared_distance(p))); };
@@ -1029,7 +1023,7 @@ void verify_quad_shapes(const Quads_obj& obj, const Quads_report& report, const 
                     "quads.obj: the least scaled Jacobian is that of the report, up to "
                     + scientific(std::abs(least - report.least_jacobian))});
   if (input == nullptr) return;
-  const Surface_tree tree(input->faces().begin(), input->faces().end(), *input);
+  const internal::Face_tree<Mesh> tree(input->faces().begin(), input->faces().end(), *input);
   const double size = diagonal(tree.bbox());
   double farthest = 0;
   for (const Position& p : obj.points) farthest = std::max(farthest, std::sqrt(tree.squared_distance(point_3(p))));

@@ -6,10 +6,7 @@
 #define CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_NEAREST_BOUNDARY_POINT_H
 
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
-
-#include <CGAL/AABB_halfedge_graph_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
+#include <CGAL/Quartic_differentials/internal/aabb_tree.h>
 
 #include <vector>
 
@@ -36,9 +33,7 @@ public:
   Point_3 operator()(const Point_3& p) const { return m_tree.closest_point(p); }
 
 private:
-  using Primitive = CGAL::AABB_halfedge_graph_segment_primitive<Mesh>;
-
-  CGAL::AABB_tree<CGAL::AABB_traits<CGAL::Simple_cartesian<double>, Primitive>> m_tree;
+  Edge_tree<Mesh> m_tree;
 };
 
 } } } // namespace CGAL::Quartic_differentials::internal

@@ -6,11 +6,8 @@
 #define CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_NEAREST_POINT_H
 
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+#include <CGAL/Quartic_differentials/internal/aabb_tree.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
-
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 
 #include <algorithm>
 #include <array>
@@ -38,8 +35,7 @@ public:
   { return in_face(m_tree.closest_point_and_primitive(p, {hint, hint_face})); }
 
 private:
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<CGAL::Simple_cartesian<double>, Primitive>>;
+  using Tree = Face_tree<Mesh>;
 
   // in barycentric coordinates; a corner, where the face is so small that no product of lengths is left of it
   Surface_point in_face(const Tree::Point_and_primitive_id& found) const
