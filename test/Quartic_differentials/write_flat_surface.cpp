@@ -349,14 +349,16 @@ void check_glb(const Refined_surface& refined)
   CGAL::Bbox_3 box;
   for (Vertex v : t.vertices()) box += t.mesh().point(v).bbox();
   const double size = std::max({box.x_span(), box.y_span(), box.z_span()});
+  const auto scale = node.value("scale", std::array<double, 3>{1, 1, 1});
   double farthest = 0;
   for (Face f : t.faces()) {
     auto& triangle = read.vertices.emplace_back();
     for (int k = 0; k < 3; ++k) {
       triangle[k] = corners[3 * f + k];
-      for (int c = 0; c < 3; ++c)
-        farthest = std::max(farthest, std::abs(positions[triangle[k]][c] + node["translation"][c].get<double>()
-                                               - t.mesh().point(t.source(t.halfedges(f)[k]))[c]));
+      for (int c = 0; c < 3; ++c) {
+        const double x = positions[triangle[k]][c] * scale[c] + node["translation"][c].get<double>();
+        farthest = std::max(farthest, std::abs(x - t.mesh().point(t.source(t.halfedges(f)[k]))[c]));
+      }
     }
   }
   CHECK(farthest <= 3e-8 * size + 1e-16 * (std::abs(box.xmax()) + std::abs(box.ymax()) + std::abs(box.zmax())));
@@ -392,10 +394,10 @@ void move_charts(Quartic_differential& q, std::int64_t units)
   for (Halfedge h : q.triangulation.halfedges()) q.corner[h] = q.corner[h] + by;
 }
 
-void move_points(Quartic_differential& q, double by)
+void transform_points(Quartic_differential& q, double scale, const Vector_3& translation)
 {
   Mesh mesh = q.triangulation.mesh();
-  for (Vertex v : mesh.vertices()) mesh.point(v) = mesh.point(v) + Vector_3(by, -2 * by, by / 2);
+  for (Vertex v : mesh.vertices()) mesh.point(v) = CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN) + translation;
   q.triangulation = Intrinsic_triangulation(std::move(mesh));
 }
 
@@ -404,13 +406,23 @@ void surfaces_far_away(Refined_surface refined)
   const double extent = largest_coordinate(refined.differential);
   move_charts(refined.differential, 1000);
   CHECK(largest_coordinate(refined.differential) > 900);
-  move_points(refined.differential, 1e5);
+  transform_points(refined.differential, 1, {1e5, -2e5, 5e4});
   std::ostringstream glb;
   write_flat_glb(glb, refined);
   const Glb file(glb.str());
   for (const auto& uv : file.floats<2>(file.json["accessors"][2]))
     CHECK(std::abs(uv[0]) <= 2 * extent + 1 && std::abs(uv[1]) <= 2 * extent + 1);
   check_glb(refined);
+}
+
+// sizes that single precision does not hold, near the largest and the smallest that the program reads
+void surfaces_of_extreme_size(const Refined_surface& refined)
+{
+  for (double size : {5e39, 1e-39}) {
+    Refined_surface r = refined;
+    transform_points(r.differential, size, {size, -2 * size, size / 2});
+    check_glb(r);
+  }
 }
 
 void surface_without_positions(Refined_surface refined)
@@ -445,6 +457,7 @@ int main()
     std::cout << r.refined->differential.triangulation.number_of_faces() << " triangles" << std::endl;
     check_all(*r.refined);
     surfaces_far_away(*r.refined);
+    surfaces_of_extreme_size(*r.refined);
     surface_without_positions(*r.refined);
   }
   return result();

@@ -42,17 +42,25 @@ enum : int { unsigned_int = 5125, single_precision = 5126, vertex_data = 34962, 
 // What glTF draws: one position, normal and texture coordinate a vertex.
 struct Gltf_surface
 {
+  double                                    unit;      // of length
   Floats                                    middle;    // positions are relative to this
   std::vector<Floats>                       positions, normals;
   std::vector<std::array<float, 2>>         uv;
   std::vector<std::array<std::uint32_t, 1>> corners;   // three a triangle
 };
 
-Floats middle_of(const Intrinsic_triangulation& t)
+// 1, or a power of two near the size of a surface that is too large or too small for single precision
+double unit_of_length(const Intrinsic_triangulation& t)
+{
+  const double size = internal::diagonal(t.mesh().points());
+  return 1e-20 < size && size < 1e20 ? 1 : std::exp2(std::ilogb(size));
+}
+
+Floats middle_of(const Intrinsic_triangulation& t, double unit)
 {
   const Bbox_3 box = bbox_3(t.mesh().points().begin(), t.mesh().points().end());
   Floats middle;
-  for (int k = 0; k < 3; ++k) middle[k] = static_cast<float>(box.min(k) / 2 + box.max(k) / 2);
+  for (int k = 0; k < 3; ++k) middle[k] = static_cast<float>((box.min(k) / 2 + box.max(k) / 2) / unit);
   return middle;
 }
 
@@ -90,7 +98,8 @@ Gltf_surface gltf_surface(const Quartic_differential& q)
     return static_cast<float>(std::ldexp(static_cast<double>(x), -q.grid_exponent));
   };
   Gltf_surface s;
-  s.middle = middle_of(t);
+  s.unit = unit_of_length(t);
+  s.middle = middle_of(t, s.unit);
   std::map<std::pair<std::size_t, Floats>, std::uint32_t> vertex;   // by texture vertex and normal
   for (Face f : t.faces()) {
     const auto corners = texture.triangle(t, f);
@@ -100,8 +109,8 @@ Gltf_surface gltf_surface(const Quartic_differential& q)
       s.corners.push_back({it->second});
       if (!is_new) continue;
       const Point_3& p = t.mesh().point(texture.vertices[corners[k]]);
-      s.positions.push_back({static_cast<float>(p.x() - s.middle[0]), static_cast<float>(p.y() - s.middle[1]),
-                             static_cast<float>(p.z() - s.middle[2])});
+      Floats& position = s.positions.emplace_back();
+      for (int c = 0; c < 3; ++c) position[c] = static_cast<float>(p[c] / s.unit - s.middle[c]);
       s.normals.push_back(normal);
       const Grid_vector z = texture.points[corners[k]];
       s.uv.push_back({in_units(z.x), -in_units(z.y)});   // 1 - v, but for a whole unit: the origin is at the upper left
@@ -169,6 +178,15 @@ Json list_of_one(Json item)
   return list;
 }
 
+// brings positions back to where they belong
+Json gltf_node(const Gltf_surface& s)
+{
+  Json node = {{"name", "surface"}, {"mesh", 0}};
+  for (float x : s.middle) node["translation"].push_back(x * s.unit);
+  if (s.unit != 1) node["scale"] = {s.unit, s.unit, s.unit};
+  return node;
+}
+
 Json gltf_json(const Gltf_surface& s, const std::string& png, Gltf_buffer& buffer)
 {
   const Json attributes = {{"POSITION", buffer.add(s.positions, single_precision, vertex_data, true)},
@@ -181,7 +199,7 @@ Json gltf_json(const Gltf_surface& s, const std::string& png, Gltf_buffer& buffe
   return {{"asset", {{"version", "2.0"}, {"generator", "CGAL Quartic Differentials"}}},
           {"scene", 0},
           {"scenes", list_of_one({{"nodes", list_of_one(0)}})},
-          {"nodes", list_of_one({{"name", "surface"}, {"mesh", 0}, {"translation", s.middle}})},
+          {"nodes", list_of_one(gltf_node(s))},
           {"meshes", list_of_one({{"primitives", list_of_one(primitive)}})},
           {"materials", list_of_one({{"name", "checkerboard"}, {"doubleSided", true}, {"pbrMetallicRoughness", shading}})},
           {"textures", list_of_one({{"sampler", 0}, {"source", 0}})},

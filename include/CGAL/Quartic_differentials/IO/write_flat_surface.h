@@ -42,9 +42,9 @@ void write_flat_vtu(std::ostream& out, const Refined_surface& refined);
 /// writes `flat.glb`: glTF 2.0 in one binary file, with the checkerboard of `write_checkerboard()` in it.
 ///
 /// Axes stay as they are; to programs that read glTF the y axis points up. All numbers are in single precision:
-/// positions relative to the middle of the surface, to which the node moves it back, and texture coordinates without
-/// the whole units of their chart, as in `write_flat_ply()`; v points down, as glTF has it. Edges sharper than 60
-/// degrees have two normals.
+/// positions relative to the middle of the surface, to which the node moves it back (and scales it where it is
+/// larger than 1e20 or smaller than 1e-20), and texture coordinates without the whole units of their chart, as in
+/// `write_flat_ply()`; v points down, as glTF has it. Edges sharper than 60 degrees have two normals.
 /// \param out opened with `std::ios::binary`
 /// \throws Unusable_surface_error if the surface is not embedded, Error if the file would be larger than 4 GiB
 /// Complexity: O(n log n). Source: Khronos Group, glTF 2.0 Specification (ISO/IEC 12113).
