@@ -8,6 +8,7 @@
 // Surfaces with boundary for the tests, what is computed on them up to the Abel-Jacobi map, and their doubles.
 
 #include "glued_triangles.h"
+#include "plates.h"
 #include "test_surfaces.h"
 
 #include <CGAL/Quartic_differentials/abel_jacobi_map.h>
@@ -103,30 +104,11 @@ inline Divisor corners_at(const Intrinsic_triangulation& t, const std::vector<st
   return divisor;
 }
 
-/// an L of 44 unit squares with a hole of 2 x 2 squares, each cut along a diagonal
-inline Mesh l_with_hole()
-{
-  Mesh mesh;
-  std::map<std::pair<int, int>, Vertex> vertices;
-  const auto vertex = [&](int x, int y) {
-    const auto [it, is_new] = vertices.try_emplace({x, y});
-    if (is_new) it->second = mesh.add_vertex(Point_3(x, y, 0));
-    return it->second;
-  };
-  for (int y = 0; y < 8; ++y)
-    for (int x = 0; x < 8; ++x) {
-      if ((x >= 4 && y >= 4) || (x >= 1 && x < 3 && y >= 1 && y < 3)) continue;
-      mesh.add_face(vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1));
-      mesh.add_face(vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1));
-    }
-  return mesh;
-}
-
-/// its ten corners
+/// the ten corners of l_with_hole()
 inline Divisor corners_of_l(const Intrinsic_triangulation& t)
 {
-  const std::map<std::pair<int, int>, int> quads{{{0, 0}, 1}, {{8, 0}, 1}, {{8, 4}, 1}, {{4, 4}, 3}, {{4, 8}, 1},
-                                                 {{0, 8}, 1}, {{1, 1}, 3}, {{3, 1}, 3}, {{3, 3}, 3}, {{1, 3}, 3}};
+  const std::map<std::pair<int, int>, int> quads{{{0, 0}, 1}, {{12, 0}, 1}, {{12, 6}, 1}, {{6, 6}, 3}, {{6, 12}, 1},
+                                                 {{0, 12}, 1}, {{2, 2}, 3}, {{4, 2}, 3}, {{4, 4}, 3}, {{2, 4}, 3}};
   std::vector<std::pair<Vertex, int>> corners;
   for (Vertex v : t.vertices()) {
     const Point_3& p = t.mesh().point(v);
