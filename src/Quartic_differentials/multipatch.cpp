@@ -4,7 +4,9 @@
 
 #include <CGAL/Quartic_differentials/multipatch.h>
 
+#include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/Boundary_ways.h>
 #include <CGAL/Quartic_differentials/internal/Cubic_basis.h>
 #include <CGAL/Quartic_differentials/internal/Distance_sum.h>
 #include <CGAL/Quartic_differentials/internal/Input_surface.h>
@@ -97,17 +99,15 @@ class Layout_fit
 {
 public:
   Layout_fit(const Intrinsic_triangulation& input, const Mesh& quads)
-    : m_input(input), m_boundary(input), m_quads(quads), m_layout(quad_layout(quads)),
-      m_is_on_boundary(m_layout.patches.size(), {false, false, false, false})
+    : m_input(input), m_quads(quads), m_layout(quad_layout(quads))
   {
     if (!m_layout.boundary.empty() && !input.has_boundary())
       throw Unusable_surface_error("the quad mesh has a boundary, but not the surface to which splines are fitted");
-    for (const Quad_layout::Side& s : m_layout.boundary) m_is_on_boundary[s.patch][s.side] = true;
-    for (std::size_t p = 0; p < m_layout.patches.size(); ++p) {
-      const auto [n_u, n_v] = m_layout.patches[p].size;
-      m_samples.push_back(samples(m_layout.patches[p], m_is_on_boundary[p]));
-      m_control.push_back(zero(n_u + 3, n_v + 3));
+    for (const Quad_layout::Patch& p : m_layout.patches) {
+      m_samples.push_back(samples(p));
+      m_control.push_back(zero(p.size[0] + 3, p.size[1] + 3));
     }
+    if (!m_layout.boundary.empty()) follow_boundary(input);
     for (const Quad_layout::Interface& i : m_layout.interfaces) fit_sides(i);
     for (const Quad_layout::Side& s : m_layout.boundary) fit_side(s);
     for (std::size_t p = 0; p < m_layout.patches.size(); ++p) fit_inside(p);
@@ -135,9 +135,8 @@ private:
     return {x, x, x};
   }
 
-  // Vertices stay as they are, so that all patches round them agree; the points between them move to the surface, those
-  // on sides on the boundary to the surface's boundary.
-  Coordinates samples(const Quad_layout::Patch& patch, const std::array<bool, 4>& is_on_boundary) const
+  // Vertices stay as they are, so that all patches round them agree; the points between them move to the surface.
+  Coordinates samples(const Quad_layout::Patch& patch) const
   {
     const std::vector<Vertex> v = grid_vertices(m_quads, patch);
     const auto [n_u, n_v] = patch.size;
@@ -151,10 +150,7 @@ private:
         const Point_3 q = between(between(corner[0], corner[1], s), between(corner[n_u + 1], corner[n_u + 2], s), t);
         place = m_input.nearest(q, place);
         const bool is_vertex = i % intervals == 0 && j % intervals == 0;
-        const bool on_boundary = (is_on_boundary[0] && j == 0) || (is_on_boundary[1] && i == intervals * n_u)
-                              || (is_on_boundary[2] && j == intervals * n_v) || (is_on_boundary[3] && i == 0);
-        const Point_3 sample = is_vertex ? q : on_boundary ? m_boundary(q) : place.point;
-        for (int k = 0; k < 3; ++k) result[k](i, j) = sample[k];
+        for (int k = 0; k < 3; ++k) result[k](i, j) = is_vertex ? q[k] : place.point[k];
       }
     return result;
   }
@@ -163,6 +159,27 @@ private:
   // exact at both ends
   static Point_3 between(const Point_3& p, const Point_3& q, double t)
   { return {(1 - t) * p.x() + t * q.x(), (1 - t) * p.y() + t * q.y(), (1 - t) * p.z() + t * q.z()}; }
+
+  // On the boundary, the points between two vertices divide the way along the surface's boundary.
+  void follow_boundary(const Intrinsic_triangulation& input)
+  {
+    const internal::Nearest_boundary_point nearest(input);
+    const internal::Boundary_ways ways(input);
+    for (const Quad_layout::Side& s : m_layout.boundary) {
+      std::array<Eigen::VectorXd, 3> x;
+      for (int k = 0; k < 3; ++k) x[k] = on_side(m_samples[s.patch][k], s.side);
+      const auto vertex = [&](Eigen::Index i) { return nearest(Point_3(x[0][i], x[1][i], x[2][i])); };
+      for (Eigen::Index begin = 0; begin + 1 < x[0].size(); begin += intervals) {
+        const Surface_point from = vertex(begin);
+        const double way = ways.length(from, vertex(begin + intervals));
+        for (int i = 1; i < intervals; ++i) {
+          const Point_3 p = position_on_input(input, ways.slid(from, way * i / intervals));
+          for (int k = 0; k < 3; ++k) x[k][begin + i] = p[k];
+        }
+      }
+      for (int k = 0; k < 3; ++k) set_on_side(m_samples[s.patch][k], s.side, x[k]);
+    }
+  }
 
   const Span_fit& fit(std::size_t n) { return m_fits.try_emplace(n, n).first->second; }
 
@@ -195,10 +212,8 @@ private:
   }
 
   const Input_surface             m_input;
-  const internal::Nearest_boundary_point m_boundary;
   const Mesh&                     m_quads;
   const Quad_layout               m_layout;
-  std::vector<std::array<bool, 4>> m_is_on_boundary;      // by patch: its sides
   std::vector<Coordinates>        m_samples, m_control;   // by patch
   std::map<std::size_t, Span_fit> m_fits;                 // by number of spans
 };

@@ -4,9 +4,9 @@
 
 #include <CGAL/Quartic_differentials/smooth_quads.h>
 
+#include <CGAL/Quartic_differentials/internal/Boundary_ways.h>
 #include <CGAL/Quartic_differentials/internal/Input_surface.h>
 #include <CGAL/Quartic_differentials/internal/Quad_shape.h>
-#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
 
 #include <algorithm>
@@ -49,51 +49,6 @@ const double turned_over = -0.5;        // cosine: a normal is against the surfa
                                         // round a thin tube they cancel, and say nothing
 
 const std::size_t none = static_cast<std::size_t>(-1);
-
-// Ways along the boundary curves of a surface.
-class Boundary_ways
-{
-public:
-  explicit Boundary_ways(const Intrinsic_triangulation& t)
-    : m_t(t), m_begin(t.number_of_edges(), 0), m_whole(t.number_of_edges(), 0)
-  {
-    for (const std::vector<Halfedge>& curve : t.boundary_curves()) {
-      double whole = 0;
-      for (Halfedge h : curve) {
-        m_begin[t.edge(h)] = whole;
-        whole += t.length(h);
-      }
-      for (Halfedge h : curve) m_whole[t.edge(h)] = whole;
-    }
-  }
-
-  // the length of the way from one point of a curve on to another, the surface on the left
-  double length(const Surface_point& from, const Surface_point& to) const
-  {
-    const double way = position(to) - position(from);
-    return way > 0 ? way : way + m_whole[m_t.edge(internal::boundary_place(m_t, from).halfedge)];
-  }
-
-  Surface_point slid(const Surface_point& p, double distance) const
-  { return internal::slide(m_t, p, distance, [](const Surface_point&, const Surface_point&) {}); }
-
-  // the direction in which a curve runs, a unit vector
-  Vector_3 direction(const Surface_point& p) const
-  {
-    const Halfedge h = internal::boundary_place(m_t, p).halfedge;
-    return unit(m_t.mesh().point(m_t.target(h)) - m_t.mesh().point(m_t.source(h)));
-  }
-
-private:
-  double position(const Surface_point& p) const
-  {
-    const internal::Boundary_place place = internal::boundary_place(m_t, p);
-    return m_begin[m_t.edge(place.halfedge)] + place.fraction * m_t.length(place.halfedge);
-  }
-
-  const Intrinsic_triangulation& m_t;
-  std::vector<double>            m_begin, m_whole;   // by edge: where it begins on its curve, and the curve's length
-};
 
 class Smoother
 {
@@ -295,7 +250,7 @@ private:
   }
 
   const Input_surface&     m_surface;
-  const Boundary_ways      m_boundary;
+  const internal::Boundary_ways m_boundary;
   Quad_mesh&               m_mesh;
   std::vector<std::size_t> m_next, m_previous;           // by vertex: its neighbours along the boundary
   std::vector<char>        m_is_fixed;                   // by vertex

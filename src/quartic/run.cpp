@@ -230,9 +230,6 @@ void run(const Run_options& options, const std::function<Intrinsic_triangulation
   if (needs_positions(options) && !input.is_embedded())
     throw Unusable_surface_error("--surface-format and --tmesh-obj write positions in space, but the surface is known by "
                                  "its edge lengths alone");
-  if (const int b = input.number_of_boundary_curves(); b > 0)
-    throw Unusable_surface_error("surfaces with boundary are not supported yet: this one has " + std::to_string(b)
-                                 + (b == 1 ? " boundary curve" : " boundary curves"));
   prepare_folder(options.folder);
 
   Quartic_differential_result result;

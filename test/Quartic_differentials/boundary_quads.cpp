@@ -161,6 +161,21 @@ void check_quality(const T_mesh& t, const Quads& q)
     CHECK(q.smoothing.history[k].least >= q.smoothing.history[k - 1].least);
 }
 
+// Of the quads that are not alone at a corner: such a one has the surface's own angle there, which may be 180 degrees.
+double least_scaled_jacobian(const T_mesh& t, Quad_mesh m)
+{
+  std::vector<char> is_sharp(m.points.size(), false);
+  std::size_t s = 0;
+  for (const T_mesh::Node& node : t.nodes) {
+    if (!node.is_singularity()) continue;
+    is_sharp[m.singularities[s++]] = node.kind == T_mesh::Node_kind::corner && node.order == -1;
+  }
+  const auto has_sharp_corner = [&](const std::array<std::size_t, 4>& quad)
+  { return std::any_of(quad.begin(), quad.end(), [&](std::size_t v) { return is_sharp[v]; }); };
+  m.quads.erase(std::remove_if(m.quads.begin(), m.quads.end(), has_sharp_corner), m.quads.end());
+  return scaled_jacobian(m).least;
+}
+
 Quads check(const Intrinsic_triangulation& input, const Quartic_differential_result& r, const Quad_options& options)
 {
   Quad_options rough = options;
@@ -177,7 +192,8 @@ Quads check(const Intrinsic_triangulation& input, const Quartic_differential_res
   double farthest = 0;
   if (q.splines) check_splines(input, q, farthest);
   std::cout << q.mesh.quads.size() << " quads, scaled Jacobian " << raw.quality.scaled_jacobian.least << ", smoothed "
-            << q.quality.scaled_jacobian.least;
+            << q.quality.scaled_jacobian.least << ", away from sharp corners "
+            << least_scaled_jacobian(*r.t_mesh, q.mesh);
   if (q.splines)
     std::cout << ", " << q.splines->patches.size() << " splines, their boundary off by "
               << farthest / q.quality.edge_length.mean << " edges";
@@ -238,7 +254,7 @@ void test_random_divisors(int cases)
       const std::size_t targets[] = {2000, 60, 500};
       options.quantization.number_of_quads = targets[n % 3];
       options.splines = n % 3 == 2;
-      positive += check(c.surface, r, options).quality.scaled_jacobian.least > 0;
+      positive += least_scaled_jacobian(*r.t_mesh, check(c.surface, r, options).mesh) > 0;
       ++checked;
     } catch (const Infeasible_divisor_error& e) {
       std::cout << e.what() << std::endl;
@@ -246,7 +262,7 @@ void test_random_divisors(int cases)
       std::cout << e.what() << std::endl;
     }
   }
-  std::cout << positive << " of " << checked << " meshes have no quad with a corner turned over" << std::endl;
+  std::cout << positive << " of " << checked << " meshes have no corner turned over away from sharp corners" << std::endl;
   CHECK(checked >= cases * 3 / 4);
   CHECK(positive >= checked * 3 / 4);
 }

@@ -64,12 +64,17 @@ inline Gluing random_translation_gluing(int squares, std::mt19937& random)
   return glued;
 }
 
-/// some pairs of sides are not glued any more
-inline Gluing cut_open(Gluing glued, double share, std::mt19937& random)
+/// some pairs of sides, or of sides 0 and 2 only, are not glued any more; returns their number
+inline std::size_t cut_open(Gluing& glued, double share, bool horizontal_only, std::mt19937& random)
 {
-  for (std::size_t side = 0; side < glued.size(); ++side)
-    if (glued[side] >= 0 && random() < share * 4294967296.0) glued[glued[side]] = glued[side] = -1;
-  return glued;
+  std::size_t pairs = 0;
+  for (std::size_t side = 0; side < glued.size(); side += horizontal_only ? 2 : 1) {
+    if (glued[side] < 0 || random() >= share * 4294967296.0) continue;
+    glued[glued[side]] = -1;
+    glued[side] = -1;
+    ++pairs;
+  }
+  return pairs;
 }
 
 inline bool is_connected(const Gluing& glued)

@@ -44,7 +44,7 @@ struct Multipatch
 ///
 /// Corners of patches are vertices of the quad mesh. Sides, once for both patches, then the insides are fitted by least
 /// squares to 5 x 5 points on every quad, evenly divided and then moved to the nearest point of the surface; on the
-/// boundary, to the nearest point of the surface's boundary.
+/// boundary, to those that divide the way along the surface's boundary evenly.
 ///
 /// \param input the surface
 /// \param quads a quad mesh near the surface, as `surface_mesh()` returns it, or any other

@@ -8,6 +8,7 @@
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
 #include <CGAL/Quartic_differentials/internal/aabb_tree.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -20,7 +21,7 @@ class Nearest_boundary_point
 public:
   /// \pre `t` is embedded
   /// Complexity: linear, and O(n log n) in the boundary edges
-  explicit Nearest_boundary_point(const Intrinsic_triangulation& t)
+  explicit Nearest_boundary_point(const Intrinsic_triangulation& t) : m_t(t)
   {
     std::vector<Edge> edges;
     for (Edge e : t.edges())
@@ -29,11 +30,19 @@ public:
     m_tree.build();
   }
 
-  /// \pre there is a boundary
-  Point_3 operator()(const Point_3& p) const { return m_tree.closest_point(p); }
+  /// on the boundary without rounding. \pre there is a boundary
+  Surface_point operator()(const Point_3& p) const
+  {
+    const auto [q, edge] = m_tree.closest_point_and_primitive(p);
+    const Halfedge even = m_t.halfedge(edge), h = m_t.is_border(even) ? m_t.opposite(even) : even;
+    const Point_3 &from = m_t.mesh().point(m_t.source(h)), &to = m_t.mesh().point(m_t.target(h));
+    const double whole = CGAL::squared_distance(from, to), part = (q - from) * (to - from);
+    return on_edge(m_t, h, whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0);
+  }
 
 private:
-  Edge_tree<Mesh> m_tree;
+  const Intrinsic_triangulation& m_t;
+  Edge_tree<Mesh>                m_tree;
 };
 
 } } } // namespace CGAL::Quartic_differentials::internal
