@@ -74,13 +74,6 @@ bool only_corners(const Divisor& divisor)
   return std::all_of(divisor.begin(), divisor.end(), [](const Singularity& s) { return s.on_boundary; });
 }
 
-bool is_legal(const Abel_jacobi_map& map, const Divisor& divisor, double tolerance)
-{
-  if (divisor.empty()) return required_degree(map.triangulation()) == 0;   // an annulus
-  const Eigen::VectorXd f = map.residual(divisor);
-  return (f - 0.5 * CGAL_PI * internal::rounded_to_lattice(f)).norm() <= tolerance;
-}
-
 // In how many directions the singularities may move.
 int degrees_of_freedom(const Divisor& divisor)
 {
@@ -96,7 +89,7 @@ int least_count(const Abel_jacobi_map& map, const Divisor& given, const Legaliza
   const Intrinsic_triangulation& t = map.triangulation();
   const int missing = std::abs(required_degree(t) - degree(given)), count = static_cast<int>(given.size()) + missing;
   if (!t.has_boundary()) return count;
-  if (missing == 0 && is_legal(map, given, legalization.tolerance)) return count;
+  if (missing == 0 && internal::is_legal(map, given, legalization.tolerance)) return count;
   const int lacking = map.dimension() - degrees_of_freedom(given) - 2 * missing;
   return count + 2 * ((std::max(lacking, 0) + 3) / 4);
 }
@@ -135,7 +128,8 @@ public:
   {
     Chosen_singularities result;
     for (Singularity_start start : starts()) explore(start, result.starts);
-    const std::optional<Legal_candidate> legal = m_counts.wanted != 0 ? with_count(m_counts.wanted) : with_fewest();
+    std::optional<Legal_candidate> legal = m_counts.wanted != 0 ? with_count(m_counts.wanted) : with_fewest();
+    for (int k = 0; !legal && k < patience && may_add_pairs(); ++k) legal = with_more();
     if (!legal && m_refusal.empty())
       throw Infeasible_divisor_error("no singularities were found: the surface has too few vertices at which they could "
                                      "start; subdivide its triangles");
@@ -214,6 +208,17 @@ private:
       if (legal && legal->distortion <= goal) return legal;
     }
     return with_best_price();
+  }
+
+  // Corners of little distortion may have no legal place by themselves.
+  bool may_add_pairs() const
+  { return m_surface.delaunay.has_boundary() && m_counts.wanted == 0 && !m_search.best_by_count().empty(); }
+  std::optional<Legal_candidate> with_more()
+  {
+    const Candidate most = m_search.best_by_count().rbegin()->second;
+    m_counts.least = most.count() + 2;
+    grown(most, m_options.distortion);
+    return with_fewest();
   }
 
   double price(double distortion, std::size_t count) const
@@ -314,7 +319,7 @@ private:
   // The nearest ones; only the one it is at, where corners are legal at their places.
   std::vector<Eigen::VectorXd> lattice_vectors_near(const Moving_divisor& d, int vectors)
   {
-    if (m_surface.delaunay.has_boundary() && is_legal(m_map, d.divisor(), m_legalization.tolerance))
+    if (m_surface.delaunay.has_boundary() && internal::is_legal(m_map, d.divisor(), m_legalization.tolerance))
       return {internal::rounded_to_lattice(d.residual())};
     m_legalization.lattice_vectors = vectors;
     return nearest_lattice_vectors(d, m_surface.periods, m_legalization).vectors;
@@ -459,7 +464,7 @@ std::optional<Chosen_singularities> given_alone(const Riemann_surface& s, const 
   for (const Singularity& p : given)
     if (p.on_boundary) map.lift_on_boundary(p.location);   // throws where it is not
   if (options.count != 0 || options.pareto || degree(given) != required_degree(s.delaunay)
-      || !is_legal(map, given, tolerance))
+      || !internal::is_legal(map, given, tolerance))
     return std::nullopt;
   const Area_distortion distortion(s.delaunay, s.laplacian, vertex_areas(s.delaunay));
   const Eigen::VectorXd u = distortion.log_scale(given);

@@ -259,7 +259,7 @@ Integer_cochains carried_over(const Integer_cochains& cochains, const Triangles&
   for (Face f : t.faces()) {
     const auto h = t.halfedges(f);
     for (int k = 0; k < 3; ++k) {
-      if (h[k] != t.halfedge(t.edge(h[k])) && !t.is_border(t.opposite(h[k]))) continue;   // once an edge
+      if (h[k] != t.halfedge(t.edge(h[k]))) continue;   // once an edge
       for (int n = 0; n < cochains.size(); ++n) result.add(h[k], n, cochains(triangles[f][k], n));
     }
   }

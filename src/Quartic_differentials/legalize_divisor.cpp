@@ -83,11 +83,11 @@ Legal_divisor result_of(const Moving_divisor& d, const Eigen::VectorXd& m, std::
 // The divisor as it is, if it is legal: at vertices too, where a `Moving_divisor` does not begin.
 std::optional<Legal_divisor> legal_as_it_is(const Abel_jacobi_map& map, const Divisor& divisor, double tolerance)
 {
+  if (!internal::is_legal(map, divisor, tolerance)) return std::nullopt;
   const Eigen::VectorXd f = map.residual(divisor);
   Legal_divisor legal;
   legal.nearest = internal::rounded_to_lattice(f);
   legal.residual = f - quarter_turn * legal.nearest;
-  if (!divisor.empty() && legal.residual.norm() > tolerance) return std::nullopt;
   legal.divisor = divisor;
   legal.moved_by.assign(divisor.size(), 0);
   legal.history = {legal.residual.norm()};

@@ -62,6 +62,15 @@ void Moving_divisor::move(const Eigen::VectorXd& step)
 
 Eigen::VectorXd rounded_to_lattice(const Eigen::VectorXd& f) { return (f / quarter_turn).array().round(); }
 
+bool is_legal(const Abel_jacobi_map& map, const Divisor& divisor, double tolerance)
+{
+  if (divisor.empty()) return required_degree(map.triangulation()) == 0;
+  const bool stays = std::all_of(divisor.begin(), divisor.end(), [](const Singularity& s) { return s.pinned; });
+  const double rounding = 1e-15 * static_cast<double>(map.triangulation().number_of_vertices());
+  const Eigen::VectorXd f = map.residual(divisor);
+  return (f - quarter_turn * rounded_to_lattice(f)).norm() <= (stays ? std::max(tolerance, rounding) : tolerance);
+}
+
 double longest_move(const Eigen::VectorXd& step)
 {
   double longest = 0;

@@ -50,6 +50,11 @@ private:
 /// the m for which (pi/2) m is nearest to F, by coordinates
 Eigen::VectorXd rounded_to_lattice(const Eigen::VectorXd& f);
 
+/// whether a divisor satisfies the Abel-Jacobi condition where it is: |F - (pi/2) m| on sheet 0 is at most the
+/// tolerance, or, if nothing of it may move, at most 1e-15 for every vertex, which is what rounding leaves of F. The
+/// empty divisor does wherever it has the right degree.
+bool is_legal(const Abel_jacobi_map& map, const Divisor& divisor, double tolerance);
+
 /// the length of the longest of the displacements
 double longest_move(const Eigen::VectorXd& step);
 
