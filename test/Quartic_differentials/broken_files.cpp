@@ -50,16 +50,18 @@ bool is_one_sentence(const std::string& text)
       && std::none_of(text.begin(), text.end() - 1, [](unsigned char c) { return c < ' ' || c == 127; });
 }
 
-void check_refused(const std::string& kind, const std::string& file)
+// \param may_be_read whether the file may also be that of a small surface with boundary, on which there is no room for
+//        singularities: then there is a report
+void check_refused(const std::string& kind, const std::string& file, bool may_be_read = false)
 {
   const std::set<std::string> before = folder.names();
   const Outcome o = folder.quartic("run " + file + " -o results -q");
-  const bool good = o.status == 2 && is_one_sentence(o.err) && o.out.empty() && o.cpu_seconds < 1;
+  const bool leaves_nothing = folder.names() == before || (may_be_read && contains(o.err, "has no room for"));
+  const bool good = leaves_nothing && o.status == 2 && is_one_sentence(o.err) && o.out.empty() && o.cpu_seconds < 1;
   if (!good)
     std::cerr << kind << ", " << file << ": status " << o.status << ", " << o.cpu_seconds << " s, " << o.err.substr(0, 500)
-              << std::endl;
+              << (leaves_nothing ? "" : ", leaves files behind") << std::endl;
   CHECK(good);
-  CHECK(folder.names() == before);
 }
 
 void read_as(const std::string& format, const std::string& kind, const std::string& contents, int genus = 0)
@@ -68,10 +70,10 @@ void read_as(const std::string& format, const std::string& kind, const std::stri
   check_read(kind, "surface." + format, genus);
 }
 
-void refused_as(const std::string& format, const std::string& kind, const std::string& contents)
+void refused_as(const std::string& format, const std::string& kind, const std::string& contents, bool may_be_read = false)
 {
   write("surface." + format, contents);
-  check_refused(kind, "surface." + format);
+  check_refused(kind, "surface." + format, may_be_read);
 }
 
 // ---- Surfaces that are no surfaces, in all formats
@@ -219,8 +221,9 @@ void check_broken_bytes()
     refused_as(name, format + ", noise", noise(5000, 1));
     refused_as(name, format + ", noise behind the beginning", good.substr(0, good.size() / 3) + noise(5000, 2));
     refused_as(name, format + ", a line of five million letters", good.substr(0, good.size() / 3) + std::string(5000000, 'x'));
-    for (int part = 1; part < 8; ++part)
-      refused_as(name, format + ", cut off at " + std::to_string(part) + "/8", good.substr(0, good.size() * part / 8));
+    for (int part = 1; part < 8; ++part)   // nothing in OBJ tells how long it should be
+      refused_as(name, format + ", cut off at " + std::to_string(part) + "/8", good.substr(0, good.size() * part / 8),
+                 name == "obj");
     if (contains(format, "binary")) continue;
     refused_as(name, format + ", a page of the web", "<!DOCTYPE html>\n<html><body>404 not found</body></html>\n");
     read_as(name, format + ", line ends of Windows", replaced_everywhere(good, "\n", "\r\n"));

@@ -88,7 +88,7 @@ void check_completeness(const Json& schema, const std::string& place)
 // Fields that may be missing where a run does not have them; the whole parts of a report that a run did not reach too.
 const std::set<std::string> optional_fields{
   "reason", "kind", "loops", "handles_and_tunnels", "position", "started_at", "polyline", "pareto", "conformal_distortion",
-  "shortfall", "smoothing", "splines"};
+  "shortfall", "smoothing", "splines", "corners"};
 
 bool may_be_missing(const Json& document, const Json::json_pointer& place, const std::string& field)
 {
@@ -181,7 +181,8 @@ Json check_run(const std::string& arguments, int status, const std::set<std::str
 void check_files()
 {
   for (const char* sample : {"torus -n 24 -o g1.off", "chain --genus 0 -o g0.off", "chain --genus 2 -o g2.off",
-                             "hyperelliptic --genus 2 -o curve.json", "torus -n 24 --noise 0.4 -o noisy.off"})
+                             "hyperelliptic --genus 2 -o curve.json", "torus -n 24 --noise 0.4 -o noisy.off",
+                             "plate --shape L --holes 1 -n 6 -o plate.off", "cut g1.off --disks 2 -o cut.off"})
     CHECK_EQUAL(folder.quartic(std::string("sample ") + sample).status, 0);
   check_document("surface", contents(folder / "curve.json"));
   check_document("report", folder.quartic("info --json g2.off -q").out);
@@ -196,6 +197,10 @@ void check_files()
   std::filesystem::copy_file(folder / "run/singularities.txt", folder / "own.txt");
   const Json own = check_run("g2.off --singularities own.txt --no-loops --quads 100 --no-smoothing", 0, usual);
   CHECK(!own["homology"].contains("loops") && !own["quad_mesh"].contains("smoothing"));
+  const Json plate = check_run("plate.off --quads 100", 0, usual);
+  CHECK_EQUAL(plate["corners"].size(), 10u);
+  const Json cut = check_run("cut.off", 0, usual);
+  CHECK(cut["input"]["boundary"] == 2 && !cut["homology"].contains("intersection_matrix"));
   CHECK(!check_run("curve.json", 0, usual)["input"]["embedded"].get<bool>());
   CHECK_EQUAL(check_run("g1.off --singularities own.txt", 2, {"report"})["status"], "failed");
 
