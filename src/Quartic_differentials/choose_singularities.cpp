@@ -128,8 +128,7 @@ public:
   {
     Chosen_singularities result;
     for (Singularity_start start : starts()) explore(start, result.starts);
-    std::optional<Legal_candidate> legal = m_counts.wanted != 0 ? with_count(m_counts.wanted) : with_fewest();
-    for (int k = 0; !legal && k < patience && may_add_pairs(); ++k) legal = with_more();
+    const std::optional<Legal_candidate> legal = m_counts.wanted != 0 ? with_count(m_counts.wanted) : with_fewest();
     if (!legal && m_refusal.empty())
       throw Infeasible_divisor_error("no singularities were found: the surface has too few vertices at which they could "
                                      "start; subdivide its triangles");
@@ -208,17 +207,6 @@ private:
       if (legal && legal->distortion <= goal) return legal;
     }
     return with_best_price();
-  }
-
-  // Corners of little distortion may have no legal place by themselves.
-  bool may_add_pairs() const
-  { return m_surface.delaunay.has_boundary() && m_counts.wanted == 0 && !m_search.best_by_count().empty(); }
-  std::optional<Legal_candidate> with_more()
-  {
-    const Candidate most = m_search.best_by_count().rbegin()->second;
-    m_counts.least = most.count() + 2;
-    grown(most, m_options.distortion);
-    return with_fewest();
   }
 
   double price(double distortion, std::size_t count) const
