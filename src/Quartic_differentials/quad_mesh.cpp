@@ -191,6 +191,7 @@ std::string defect(const Quad_mesh& m, const T_mesh& t)
   if (m.patch.size() != m.quads.size() || m.input_points.size() != m.points.size()) return "the sizes do not fit";
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> previous;   // by corner: from the vertex, and the next
   std::vector<std::size_t> on_boundary(m.points.size(), none);           // the next vertex there
+  const std::size_t boundary_curves = internal::number_of_boundary_curves(t);
   long boundary_edges = 0;
   std::vector<std::size_t> valence(m.points.size(), 0);
   for (std::size_t f = 0; f < m.quads.size(); ++f)
@@ -204,6 +205,7 @@ std::string defect(const Quad_mesh& m, const T_mesh& t)
     }
   for (const auto& [edge, before] : previous) {
     if (previous.count({edge.second, edge.first}) != 0) continue;
+    if (boundary_curves == 0) return "there is one quad only at the edge from " + name("vertex", edge.first);
     if (on_boundary[edge.first] != none) return name("vertex", edge.first) + " is on the boundary twice";
     on_boundary[edge.first] = edge.second;
     ++boundary_edges;
@@ -239,7 +241,7 @@ std::string defect(const Quad_mesh& m, const T_mesh& t)
   const long vertices = static_cast<long>(m.points.size()), quads = static_cast<long>(m.quads.size());
   if (2 * (vertices - quads) - boundary_edges != 2 * t.euler_characteristic())
     return "the genus is not that of the T-mesh";
-  if (internal::number_of_cycles(on_boundary) != internal::number_of_boundary_curves(t))
+  if (internal::number_of_cycles(on_boundary) != boundary_curves)
     return "there are not as many boundary curves as in the T-mesh";
   return {};
 }

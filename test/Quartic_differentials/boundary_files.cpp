@@ -212,6 +212,31 @@ void check_lines_along_boundary(const Intrinsic_triangulation& input, const Quar
   }
 }
 
+// An arc that is a whole boundary curve begins and ends at its corner, which has no other arms if a single quad is there.
+void test_loop()
+{
+  Mesh m;
+  const auto order = m.add_property_map<Vertex, int>("v:singularity_order", 0).first;
+  const auto arc = m.add_property_map<Edge, std::size_t>("e:arc", std::size_t(-1)).first;
+  m.add_property_map<Face, std::size_t>("f:patch", 0);
+  m.add_property_map<Halfedge, CGAL::Simple_cartesian<double>::Point_2>("h:texture");
+  for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(-1, 0, 0), Point_3(0, -1, 0)})
+    m.add_vertex(p);
+  for (Mesh::size_type k = 0; k < 4; ++k) m.add_face(Vertex(0), Vertex(1 + k), Vertex(1 + (k + 1) % 4));
+  for (Edge e : m.edges())
+    if (m.is_border(e)) arc[e] = 0;
+  for (Mesh::size_type corner = 1; corner < 5; ++corner) {
+    for (Vertex v : m.vertices()) order[v] = v == Vertex(corner) ? -1 : 0;
+    std::ostringstream out;
+    write_t_mesh_obj(out, m);
+    std::istringstream line(out.str().substr(out.str().find("\nl ") + 3));
+    std::vector<std::size_t> way(5);
+    for (std::size_t& v : way) line >> v;
+    CHECK_EQUAL(way.front(), corner + 1);
+    CHECK_EQUAL(way.back(), corner + 1);
+  }
+}
+
 void check(const Intrinsic_triangulation& input, const Quartic_differential_result& r)
 {
   check_patch_mesh(input, r);
@@ -226,6 +251,7 @@ void check(const Intrinsic_triangulation& input, const Quartic_differential_resu
 
 int main()
 {
+  test_loop();
   const Intrinsic_triangulation sheet(rectangle(6, 4)), ring(plate(1, 14));
   check(sheet, run_pipeline(sheet, corners_at(sheet, {{Vertex(0), 1}, {Vertex(6), 1}, {Vertex(34), 1}, {Vertex(28), 1}})));
   check(ring, run_pipeline(ring, Divisor()));

@@ -131,13 +131,20 @@ void check_splines(const Intrinsic_triangulation& input, const Quads& q, double&
     }
   }
   CHECK_EQUAL(spans, edges);
+  Multipatch open = m, twice = m, beyond = m;
+  open.boundary.pop_back();
+  twice.boundary.push_back(m.boundary[0]);
+  beyond.boundary[0].side = 4;
+  CHECK(defect(open).find("is on 0 interfaces") != std::string::npos);
+  CHECK(defect(twice).find("is on 2 interfaces") != std::string::npos);
+  CHECK(defect(beyond).find("does not exist") != std::string::npos);
 
   std::ostringstream xml, json;
   write_multipatch_xml(xml, m);
-  const std::string text = xml.str(), open = "<boundary>\n", close = "  </boundary>";
-  const std::size_t from = text.find(open), to = text.find(close);
+  const std::string text = xml.str(), begin = "<boundary>\n", end = "  </boundary>";
+  const std::size_t from = text.find(begin), to = text.find(end);
   CHECK(from != std::string::npos && to != std::string::npos);
-  CHECK_EQUAL(number_of_lines(text.substr(from + open.size(), to - from - open.size())), m.boundary.size());
+  CHECK_EQUAL(number_of_lines(text.substr(from + begin.size(), to - from - begin.size())), m.boundary.size());
   write_multipatch_json(json, m);
   const nlohmann::json boundary = nlohmann::json::parse(json.str())["boundary"];
   CHECK_EQUAL(boundary.size(), m.boundary.size());
@@ -157,6 +164,10 @@ void check_quality(const T_mesh& t, const Quads& q)
   }
   CHECK(q.quality.irregular_vertices == inside);
   CHECK(q.quality.corners == corners);
+  const Mesh mesh = surface_mesh(q.mesh, t);
+  double length = 0;
+  for (Edge e : mesh.edges()) length += distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+  CHECK_NEAR(q.quality.edge_length.mean * double(mesh.number_of_edges()), length, 1e-9 * length);
   for (std::size_t k = 1; k < q.smoothing.history.size(); ++k)
     CHECK(q.smoothing.history[k].least >= q.smoothing.history[k - 1].least);
 }
@@ -176,7 +187,8 @@ double least_scaled_jacobian(const T_mesh& t, Quad_mesh m)
   return scaled_jacobian(m).least;
 }
 
-Quads check(const Intrinsic_triangulation& input, const Quartic_differential_result& r, const Quad_options& options)
+Quads check(const Intrinsic_triangulation& input, const Quartic_differential_result& r, const Quad_options& options,
+            double& farthest)
 {
   Quad_options rough = options;
   rough.smooth = rough.splines = false;
@@ -189,7 +201,7 @@ Quads check(const Intrinsic_triangulation& input, const Quartic_differential_res
     check_boundary(input, r, result->mesh);
     check_quality(*r.t_mesh, *result);
   }
-  double farthest = 0;
+  farthest = 0;
   if (q.splines) check_splines(input, q, farthest);
   std::cout << q.mesh.quads.size() << " quads, scaled Jacobian " << raw.quality.scaled_jacobian.least << ", smoothed "
             << q.quality.scaled_jacobian.least << ", away from sharp corners "
@@ -199,6 +211,31 @@ Quads check(const Intrinsic_triangulation& input, const Quartic_differential_res
               << farthest / q.quality.edge_length.mean << " edges";
   std::cout << std::endl;
   return q;
+}
+
+Quads check(const Intrinsic_triangulation& input, const Quartic_differential_result& r, const Quad_options& options)
+{
+  double farthest;
+  return check(input, r, options, farthest);
+}
+
+// Without any one of its quads, or with a singularity elsewhere, a mesh is refused.
+void check_damage(const T_mesh& t, const Quad_mesh& m)
+{
+  for (std::size_t f = 0; f < m.quads.size(); ++f) {
+    Quad_mesh damaged = m;
+    damaged.quads.erase(damaged.quads.begin() + static_cast<std::ptrdiff_t>(f));
+    damaged.patch.pop_back();
+    CHECK(!defect(damaged, t).empty());
+  }
+  const std::vector<std::size_t> next = next_on_boundary(m);
+  const std::size_t inside = static_cast<std::size_t>(std::find(next.begin(), next.end(), none) - next.begin());
+  for (std::size_t s = 0; s < m.singularities.size(); ++s)
+    for (std::size_t w : {next[m.singularities[s]], inside}) {
+      Quad_mesh damaged = m;
+      damaged.singularities[s] = w;
+      CHECK(!defect(damaged, t).empty());
+    }
 }
 
 // Surfaces of unit squares come back square by square; their splines have straight sides.
@@ -212,7 +249,9 @@ void test_squares()
     Quad_options options;
     options.quantization.edge_length = 1;
     options.splines = true;
-    const Quads q = check(*input, r, options);
+    double farthest;
+    check(*input, r, options, farthest);
+    CHECK_NEAR(farthest, 0, 1e-9);
     options.splines = false;
     const Quads units = check(*input, r, options);
     CHECK_EQUAL(units.mesh.quads.size(), squares);
@@ -220,9 +259,7 @@ void test_squares()
       CHECK_NEAR(distance(p, Point_3(std::round(p.x()), std::round(p.y()), 0)), 0, 1e-9);
     CHECK_NEAR(units.quality.scaled_jacobian.least, 1, 1e-9);
     CHECK_NEAR(units.quality.edge_length.mean, 1, 1e-9);
-    double farthest = 0;
-    check_splines(*input, q, farthest);
-    CHECK_NEAR(farthest, 0, 1e-9);
+    check_damage(*r.t_mesh, units.mesh);
   }
 }
 
@@ -238,6 +275,23 @@ void test_annulus()
   CHECK_EQUAL(q.splines->patches.size(), 1u);
   CHECK_EQUAL(q.splines->interfaces.size(), 1u);
   CHECK(q.quality.scaled_jacobian.least > 0);
+}
+
+// A disk with four corners; its splines follow the circle, from which the quads' edges are off by 1/40 of their length.
+void test_disk()
+{
+  const Intrinsic_triangulation disk(plate(0, 14));
+  const std::vector<Halfedge> circle = disk.boundary_curves().front();
+  std::vector<std::pair<Vertex, int>> corners;
+  for (std::size_t k = 0; k < 4; ++k) corners.emplace_back(disk.source(circle[k * circle.size() / 4]), 1);
+  Quad_options options;
+  options.quantization.number_of_quads = 64;
+  options.splines = true;
+  options.quantization.number_of_blocks = 1;
+  double farthest;
+  const Quads q = check(disk, run_pipeline(disk, corners_at(disk, corners)), options, farthest);
+  CHECK_EQUAL(q.splines->patches.size(), 1u);
+  CHECK(farthest < 0.01 * q.quality.edge_length.mean);
 }
 
 void test_random_divisors(int cases)
@@ -273,6 +327,7 @@ int main()
 {
   test_squares();
   test_annulus();
+  test_disk();
   test_random_divisors(22);
   return Quartic_test::result();
 }
