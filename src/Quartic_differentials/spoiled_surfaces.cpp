@@ -66,12 +66,13 @@ Mesh with_obtuse_boundary(Mesh mesh, double degrees, unsigned seed)
   for (const auto h : mesh.halfedges())
     if (mesh.is_border(mesh.opposite(h))) inside.push_back(h);
   for (const auto h : inside) {
-    const Point_3 a = mesh.point(mesh.source(h)), b = mesh.point(mesh.target(h)), c = mesh.point(mesh.target(mesh.next(h)));
+    const Point_3 a = mesh.point(mesh.source(h)), b = mesh.point(mesh.target(h));
+    const Point_3 c = mesh.point(mesh.target(mesh.next(h)));
     const auto half = (b - a) / 2, d = c - (a + half);
-    const double e2 = half.squared_length(), across = std::sqrt(d.squared_length() - (d * half) * (d * half) / e2);
+    const double d2 = d.squared_length(), e2 = half.squared_length(), across = std::sqrt(d2 - (d * half) * (d * half) / e2);
     // on the median, and on the circle of this inscribed angle over ab, whose centre is `below` the edge
     const double below = std::sqrt(e2) / std::tan(CGAL_PI * (1 - uniform(random, 95, degrees) / 180));
-    const double part = (std::hypot(below * across, std::sqrt(d.squared_length() * e2)) - below * across) / d.squared_length();
+    const double part = (std::hypot(below * across, std::sqrt(d2 * e2)) - below * across) / d2;
     const auto in = CGAL::Euler::add_center_vertex(h, mesh);
     mesh.point(mesh.target(in)) = a + half + std::min(part, 0.5) * d;   // c may be obtuse itself
   }

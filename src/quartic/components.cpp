@@ -88,7 +88,8 @@ void run_components(const std::string& mesh, std::vector<Surface_component> comp
     print_table(std::cout, list);
   }
   if (failed > 0)
-    throw Failed_components(std::to_string(failed) + " of " + std::to_string(components.size()) + " components failed", worst);
+    throw Failed_components(std::to_string(failed) + " of " + std::to_string(components.size()) + " components failed",
+                            worst);
 }
 
 std::vector<int> exit_statuses_of_components(const std::string& folder)

@@ -18,11 +18,12 @@ std::string component_folder(std::size_t number);
 bool is_component_folder(const std::string& name);
 
 /// runs one component, which can be used, with its results in a folder; failure is an exception
-using Run_component = std::function<void(CGAL::Quartic_differentials::Surface_component& component, const std::string& folder)>;
+using Run_component = std::function<void(CGAL::Quartic_differentials::Surface_component& component,
+                                         const std::string& folder)>;
 
 /// runs the components one by one into the folders component_0, component_1, ..., whatever becomes of the others, and
-/// writes components.json (components.schema.json). What fails is told on the error stream, and unless `quiet` a table of
-/// all on the output stream.
+/// writes components.json (components.schema.json). What fails is told on the error stream, and unless `quiet` a table
+/// of all on the output stream.
 /// \throws Failed_components if any failed
 void run_components(const std::string& mesh, std::vector<CGAL::Quartic_differentials::Surface_component> components,
                     const std::string& folder, bool quiet, const Run_component& run);

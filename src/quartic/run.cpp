@@ -296,8 +296,8 @@ void add_run(CLI::App& app, const std::string& command_line)
          ->check(some_name());
   const std::map<std::string, bool> components{{"one", false}, {"each", true}};
   command->add_option("--components", options->each_component,
-                      "What is done with a mesh of several components: it is refused unless there is 'one', or 'each' is "
-                      "run by itself into the folders component_0, component_1, ..., the largest first")
+                      "What is done with a mesh of several components: it is refused unless there is 'one', or 'each' "
+                      "is run by itself into the folders component_0, component_1, ..., the largest first")
          ->transform(CLI::CheckedTransformer(components, CLI::ignore_case).description(""))
          ->type_name("one|each")->default_str("one")->excludes(singularities);
   command->add_option("--corners", options->corners,

@@ -126,10 +126,12 @@ Mesh cut(const Sample_options& options)
 {
   std::vector<std::string> notes;
   const Intrinsic_triangulation input = read_surface(options.mesh, notes);
-  if (!input.is_embedded()) throw Unusable_surface_error(options.mesh + " is known by its edge lengths alone, it cannot be cut");
+  if (!input.is_embedded())
+    throw Unusable_surface_error(options.mesh + " is known by its edge lengths alone, it cannot be cut");
   check_size(options, static_cast<double>(input.number_of_faces()));
   Mesh mesh = input.mesh();
-  if (!options.plane.empty()) mesh = part_in_front(mesh, Vector_3(options.plane[0], options.plane[1], options.plane[2]));
+  const std::vector<double>& normal = options.plane;
+  if (!normal.empty()) mesh = part_in_front(mesh, Vector_3(normal[0], normal[1], normal[2]));
   return options.disks > 0 ? with_disks_cut_out(mesh, options.disks, options.radius, options.seed) : mesh;
 }
 
@@ -143,8 +145,8 @@ Mesh embedded(const Sample_options& options)
     mesh = torus(options.R, options.r, n, std::max(m, 3));
   } else if (options.kind == "plate") {
     const int n = resolution_of_plate(options);
-    mesh = options.shape == "round" ? plate(options.holes, n)
-                                    : plate(options.shape == "L" ? Plate_shape::l : Plate_shape::rectangle, options.holes, n);
+    if (options.shape == "round") mesh = plate(options.holes, n);
+    else mesh = plate(options.shape == "L" ? Plate_shape::l : Plate_shape::rectangle, options.holes, n);
   } else if (options.kind == "cut") {
     mesh = cut(options);
   } else {
@@ -167,7 +169,8 @@ Mesh spoiled(Mesh mesh, const Sample_options& options)
 void write_embedded(const Sample_options& options)
 {
   Mesh mesh = spoiled(embedded(options), options);
-  const int digits = options.slivers > 0 || options.obtuse > 0 || options.kind == "cut" ? 17 : 12;   // thin triangles need them
+  const bool is_delicate = options.slivers > 0 || options.obtuse > 0 || options.kind == "cut";
+  const int digits = is_delicate ? 17 : 12;   // thin triangles need them all
   const std::filesystem::path file = options.file, part = file.stem().string() + ".part" + file.extension().string();
   internal::make_file(file.string(), (file.parent_path() / part).string(), [&](const std::string& name) {
     if (!CGAL::IO::write_polygon_mesh(name, mesh, CGAL::parameters::stream_precision(digits).verbose(false)))
@@ -188,7 +191,8 @@ void check_usage(const Sample_options& options)
     throw Error("surfaces in space are written as .off, .obj, .ply or .stl");
   }
   if (options.kind == "torus" && !(options.r < options.R)) throw Error("a torus needs -r smaller than -R");
-  if ((options.kind == "cut") == options.mesh.empty()) throw Error("cut, and only cut, needs a MESH: quartic sample cut MESH ...");
+  if ((options.kind == "cut") == options.mesh.empty())
+    throw Error("cut, and only cut, needs a MESH: quartic sample cut MESH ...");
   if (options.kind == "cut" && options.disks == 0 && options.plane.empty()) throw Error("cut needs --disks or --plane");
   if (options.kind == "plate" && options.shape == "round" && resolution_of_plate(options) < 12)
     throw Error("a round plate needs -n 12 or more");
@@ -219,16 +223,16 @@ void add_sample(CLI::App& app)
     "cover           the curve y^2 = (x - e1) (x - e2) ..., a double cover of the sphere; needs --branch\n"
     "plate           a flat plate with boundary, with --shape and --holes (genus 0)\n"
     "cut             a MESH of your own with boundary: without --disks, or what is in front of a --plane")
-    ->required()->check(CLI::IsMember({"sphere", "torus", "chain", "ring", "hyperelliptic", "polygon", "l", "cover", "plate",
-                                       "cut"}));
+    ->required()->check(CLI::IsMember({"sphere", "torus", "chain", "ring", "hyperelliptic", "polygon", "l", "cover",
+                                       "plate", "cut"}));
   command->add_option("MESH", options->mesh, "Mesh to cut (.off, .obj, .ply, .stl, .vtp)")->check(some_name());
   command->add_option("-o,--output", options->file,
                       "File to write: .off, .obj, .ply, .stl; .json for hyperelliptic, polygon, l, cover")->required();
   command->add_option("-g,--genus", options->genus, "Number of holes of chain, ring, hyperelliptic, polygon (2)")
          ->check(CLI::Range(0, 50));
   command->add_option("-n,--resolution", options->resolution,
-                      "Edges across the strip between two holes of chain and ring (8); edges round the axis of torus (60); rings of "
-                      "a round plate (20), squares along a unit of the others, whose sides are 2 and 3 (8)")
+                      "Edges across the strip between two holes of chain and ring (8); edges round the axis of torus (60); "
+                      "rings of a round plate (20), squares along a unit of the others, whose sides are 2 and 3 (8)")
          ->check(CLI::Range(6, 1000));
   command->add_option("-s,--subdivisions", options->subdivisions,
                       "How often each triangle is split into four (sphere, polygon, l 4, hyperelliptic 3, otherwise 0); "
@@ -238,7 +242,8 @@ void add_sample(CLI::App& app)
   command->add_option("-r", options->r, "Radius of the circle that makes the torus (1)")->check(positive_number());
   command->add_option("--branch", options->branch_points,
                       "Branch points of cover, an even number: \"x,y;x,y;...\", x for a real one, inf for infinity");
-  command->add_option("--shape", options->shape, "Shape of plate; the holes of a round one are round, of the others square")
+  command->add_option("--shape", options->shape,
+                      "Shape of plate; the holes of a round one are round, of the others square")
          ->check(CLI::IsMember({"round", "rectangle", "L"}).description(""))->type_name("round|rectangle|L")
          ->capture_default_str();
   command->add_option("--holes", options->holes, "Number of holes of plate (0)")->check(CLI::Range(0, 4));
@@ -260,7 +265,8 @@ void add_sample(CLI::App& app)
   command->add_option("--stretch", options->stretch, "Stretch the surface along the x axis by this factor")
          ->check(positive_number())->group(spoil);
   command->add_option("--obtuse-boundary", options->obtuse,
-                      "Split the triangles at the boundary so that angles opposite to it are obtuse, up to this many degrees")
+                      "Split the triangles at the boundary so that angles opposite to it are obtuse, up to this many "
+                      "degrees")
          ->check(number_between(95, 179.9))->group(spoil);
   command->add_option("--seed", options->seed, "Seed of disks, noise, slivers and obtuse angles (1)");
   command->callback([options] { sample(*options); });

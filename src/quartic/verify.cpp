@@ -54,8 +54,8 @@ void verify_components(const std::string& folder, const std::string& mesh, Verif
   std::vector<Surface_component> components;
   if (!mesh.empty()) components = read_surface_components(mesh);
   if (!mesh.empty() && components.size() != statuses.size())
-    throw Unusable_surface_error(mesh + " has " + std::to_string(components.size()) + " components, but there are results of "
-                                 + std::to_string(statuses.size()) + " in " + folder);
+    throw Unusable_surface_error(mesh + " has " + std::to_string(components.size()) + " components, but there are "
+                                 "results of " + std::to_string(statuses.size()) + " in " + folder);
   for (std::size_t i = 0; i < statuses.size(); ++i) {
     const std::string name = component_folder(i);
     if (statuses[i] != done) std::cout << "-     " << name << ": its run failed, it is not checked\n";
@@ -90,6 +90,7 @@ void add_verify(CLI::App& app)
   CLI::App* command = app.add_subcommand("verify", "Check the results in a folder in exact arithmetic, independently of "
                                                    "the steps that made them");
   command->add_option("[INPUT] DIR", *paths, "Output folder of a run; before it, the mesh it was run on, if it is to be "
-                                             "compared with the results; also of a run with --components each")->required()->expected(1, 2);
+                                             "compared with the results; also of a run with --components each")
+         ->required()->expected(1, 2);
   command->callback([paths] { verify(*paths); });
 }

@@ -107,9 +107,9 @@ void check_each()
   CHECK_EQUAL(folder.quartic("run two.off -o out --components one").status, 2);
 
   CHECK_EQUAL(folder.quartic("run two.off -o out --components each" + options).status, 0);
-  for (const auto& [component, alone] : {std::pair("out/component_0", "torus"), std::pair("out/component_1", "sphere")}) {
+  for (const auto& [number, alone] : {std::pair(0, "torus"), std::pair(1, "sphere")}) {
     CHECK_EQUAL(folder.quartic("run " + std::string(alone) + ".off -o " + alone + options).status, 0);
-    check_same(component, alone);
+    check_same("out/component_" + std::to_string(number), alone);
   }
   CHECK_EQUAL(number_of_files(folder / "out"), 3u);
   const Json file = Json::parse(contents(folder / "out" / "components.json"));
@@ -148,7 +148,8 @@ void check_failures()
   CHECK(contains(o.out, "component_0            288       864       576         1         0  0, done\n"));
   CHECK(contains(o.out, "component_2              3         -         1         -         -  2: face 0"));
   Json file = Json::parse(contents(folder / "mixed" / "components.json"));
-  CHECK(file["exit_status"] == 2 && file["components"][0]["exit_status"] == 0 && file["components"][1]["exit_status"] == 0);
+  CHECK_EQUAL(file["exit_status"], 2);
+  for (int i = 0; i < 2; ++i) CHECK_EQUAL(file["components"][i]["exit_status"], 0);
   const Json last = {{"folder", "component_2"}, {"vertices", 3}, {"faces", 1}, {"exit_status", 2},
                      {"reason", "face 0 at (7, 0, 0) has no area: its corners lie on a line"}};
   CHECK(file["components"][2] == last);
@@ -165,7 +166,8 @@ void check_failures()
   file = Json::parse(contents(folder / "twice" / "components.json"));
   CHECK(contains(file["components"][0]["reason"], "has the same corners") && file["components"][1]["exit_status"] == 0);
 
-  // 6 singularities are enough on the torus, but not on the sphere, whose report says so; nothing is left of the run before
+  // 6 singularities are enough on the torus, but not on the sphere, whose report says so; of the run before nothing is
+  // left
   std::ofstream(folder / "mixed" / "component_0" / "own.txt") << "not ours";
   const Outcome few = folder.quartic("run two.off -o mixed -q --components each --count 6");
   CHECK_EQUAL(few.status, 2);

@@ -66,7 +66,8 @@ void check_sample()
   CHECK(contains(quartic("sample plate --holes 2 -o plate.off").out, "genus 0, 3 boundary curves"));
   CHECK(contains(quartic("sample plate --shape rectangle -n 6 -s 1 -o plate.off").out,
                  "genus 0, 1 boundary curve, 925 vertices, 1728 faces"));
-  CHECK(contains(quartic("sample plate --shape L --holes 1 -o plate.off").out, "genus 0, 2 boundary curves, 472 vertices"));
+  CHECK(contains(quartic("sample plate --shape L --holes 1 -o plate.off").out,
+                 "genus 0, 2 boundary curves, 472 vertices"));
   const std::string two_disks = quartic("sample cut chain.off --disks 2 -o cut.off").out;
   CHECK(contains(two_disks, "genus 2, 2 boundary curves"));
   CHECK(quartic("sample cut chain.off --disks 2 --seed 1 -o cut.off").out == two_disks);

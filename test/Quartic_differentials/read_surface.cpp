@@ -210,7 +210,8 @@ void check_json()
   const Intrinsic_triangulation triangle = read("open.json", one_triangle);
   CHECK_EQUAL(structural_defect(triangle), "");
   CHECK_EQUAL(triangle.number_of_boundary_curves(), 1);
-  CHECK_REFUSED("two.json", two_spheres_json, "the surface has 2 components: vertex 3 is not connected with the first face;");
+  CHECK_REFUSED("two.json", two_spheres_json,
+                "the surface has 2 components: vertex 3 is not connected with the first face;");
 }
 
 // ---- VTP in all its encodings
@@ -472,8 +473,8 @@ void check_refusals()
   const std::string pinched = "the faces at vertex 2 at (0, 1, 0) form more than one fan";
   CHECK_REFUSED("fans.off", "OFF\n7 3 0\n" + four_points + "2 1 0\n2 2 0\n2 3 0\n3 0 1 2\n3 2 4 5\n3 2 5 6\n", pinched);
   CHECK_REFUSED("fans.off", "OFF\n7 3 0\n" + four_points + "2 1 0\n2 2 0\n2 3 0\n3 2 4 5\n3 2 5 6\n3 2 0 1\n", pinched);
-  CHECK_REFUSED("fans.off", "OFF\n6 5 0\n" + four_points + "2 1 0\n2 2 0\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 2 4 5\n",
-    pinched);
+  CHECK_REFUSED("fans.off", "OFF\n6 5 0\n" + four_points + "2 1 0\n2 2 0\n"
+                            "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 2 4 5\n", pinched);
 }
 
 void check_boundary()
@@ -523,8 +524,10 @@ struct Off_file
 void check_components()
 {
   // vertices and faces of two tetrahedra and a triangle, shuffled, and a vertex without a face
-  const Off_file mixed{{"0 0 0", "5 0 0", "1 0 0", "6 0 0", "9 9 9", "0 1 0", "5 1 0", "0 0 1", "5 0 1", "0 0 3", "1 0 3", "0 1 3"},
-                       {"3 9 10 11", "3 1 6 3", "3 0 5 2", "3 1 3 8", "3 0 2 7", "3 3 6 8", "3 2 5 7", "3 1 8 6", "3 0 7 5"}};
+  const Off_file mixed{{"0 0 0", "5 0 0", "1 0 0", "6 0 0", "9 9 9", "0 1 0", "5 1 0", "0 0 1", "5 0 1", "0 0 3", "1 0 3",
+                        "0 1 3"},
+                       {"3 9 10 11", "3 1 6 3", "3 0 5 2", "3 1 3 8", "3 0 2 7", "3 3 6 8", "3 2 5 7", "3 1 8 6",
+                        "3 0 7 5"}};
   CHECK_REFUSED("mixed.off", mixed.text(), "the surface has 3 components: vertex 1 at (5, 0, 0)");
   const std::vector<Surface_component> three = components("mixed.off", mixed.text());
   CHECK_EQUAL(three.size(), 3u);
@@ -554,7 +557,8 @@ void check_components()
   CHECK_EQUAL(page.size(), 2u);
   CHECK(page[0].refusal.find("has 3 faces") != std::string::npos && page[1].surface);
   spoilt.faces.back() = "3 1 3 12";
-  CHECK_THROWS(components("index.off", spoilt.text()), Unusable_surface_error, "refers to a vertex that does not exist");
+  CHECK_THROWS(components("index.off", spoilt.text()), Unusable_surface_error,
+               "refers to a vertex that does not exist");
   CHECK_THROWS(components("none.off", "OFF\n0 0 0\n"), Unusable_surface_error, "none.off: the surface has no face");
 
   // equal points: two closed tetrahedra that touch stay two, triangles of an open soup are joined
@@ -603,7 +607,8 @@ void check_broken_bytes(const std::string& name, const std::string& good)
     }
     try {
       for (const Surface_component& c : components(name, contents))
-        sound = sound && c.surface.has_value() == c.refusal.empty() && (!c.surface || structural_defect(*c.surface).empty());
+        sound = sound && c.surface.has_value() == c.refusal.empty()
+             && (!c.surface || structural_defect(*c.surface).empty());
     } catch (const Unusable_surface_error&) {
     }
     return sound;

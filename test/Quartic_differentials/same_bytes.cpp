@@ -34,8 +34,8 @@ void check_same(const std::string& run)
     const std::string name = file.path().filename();
     ++files;
     if (name == "report.html") continue;          // holds the report, and the command
-    const bool same = name == "report.json" ? lasting_report(contents(folder / run / name)) == lasting_report(contents(file.path()))
-                                            : contents(folder / run / name) == contents(file.path());
+    const std::string here = contents(folder / run / name), first = contents(file.path());
+    const bool same = name == "report.json" ? lasting_report(here) == lasting_report(first) : here == first;
     if (!same) std::cerr << run << ": " << name << " differs" << std::endl;
     CHECK(same);
   }

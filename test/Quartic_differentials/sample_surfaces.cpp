@@ -112,7 +112,8 @@ void check_plates()
 {
   for (int holes = 0; holes <= 4; ++holes)
     for (int resolution : {6, 7, 8, 12}) {
-      const Mesh rectangle = plate(Plate_shape::rectangle, holes, resolution), l = plate(Plate_shape::l, holes, resolution);
+      const Mesh rectangle = plate(Plate_shape::rectangle, holes, resolution);
+      const Mesh l = plate(Plate_shape::l, holes, resolution);
       for (const Mesh& mesh : {rectangle, l}) {
         checked_with_boundary(mesh, 0, holes + 1);
         checked_with_boundary(subdivided(mesh), 0, holes + 1);
@@ -147,7 +148,8 @@ void check_cuts()
   for (Vertex v : half.vertices()) CHECK(half.point(v).z() >= 0);
   checked_with_boundary(part_in_front(bumpy_sphere(3), Vector_3(1, 2, 3)), 0, 1);
   Mesh saddle = torus(2, 1, 24, 12);   // with two high ends
-  for (Vertex v : saddle.vertices()) saddle.point(v) = saddle.point(v) + Vector_3(0, 0, std::pow(saddle.point(v).x(), 2));
+  for (Vertex v : saddle.vertices())
+    saddle.point(v) = saddle.point(v) + Vector_3(0, 0, std::pow(saddle.point(v).x(), 2));
   CHECK_THROWS(part_in_front(saddle, Vector_3(0, 0, 1)), Unusable_surface_error, "is not connected");
   CHECK_THROWS(part_in_front(closed, Vector_3(0, 0, 0)), Unusable_surface_error, "does not cut the surface");
 }
@@ -158,7 +160,7 @@ void check_obtuse_boundary()
     const Intrinsic_triangulation before(mesh);
     const Mesh obtuse = with_obtuse_boundary(mesh, 179, 1);
     checked_with_boundary(obtuse, before.genus(), before.number_of_boundary_curves());
-    CHECK_NEAR(CGAL::Polygon_mesh_processing::area(obtuse), CGAL::Polygon_mesh_processing::area(mesh), 1e-12 * before.area());
+    CHECK_NEAR(CGAL::Polygon_mesh_processing::area(obtuse), before.area(), 1e-12 * before.area());
     double least = 180, greatest = 0;
     std::size_t edges = 0;
     for (Halfedge h : obtuse.halfedges()) {
@@ -169,7 +171,8 @@ void check_obtuse_boundary()
     }
     CHECK_EQUAL(obtuse.number_of_vertices(), mesh.number_of_vertices() + edges);
     CHECK(least >= 95 && least < 100 && greatest > 174 && greatest <= 179 + 1e-9);
-    CHECK(obtuse.point(obtuse.vertices_end()[-1]) != with_obtuse_boundary(mesh, 179, 2).point(obtuse.vertices_end()[-1]));
+    const Vertex last = obtuse.vertices_end()[-1];
+    CHECK(obtuse.point(last) != with_obtuse_boundary(mesh, 179, 2).point(last));
   }
 }
 

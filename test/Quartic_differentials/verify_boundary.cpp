@@ -277,7 +277,8 @@ Lines quads_of(const Squares& fine)
 
 json report_of(const Squares& s, const Squares& fine, int genus, int curves)
 {
-  json report{{"input", {{"genus", genus}, {"boundary", curves}}}, {"singularities", json::array()}, {"corners", json::array()}};
+  json report{{"input", {{"genus", genus}, {"boundary", curves}}}, {"singularities", json::array()},
+              {"corners", json::array()}};
   const Valences valences(s);
   for (std::size_t v = 0; v < s.points.size(); ++v) {
     const int order = valences.order(v);
@@ -285,8 +286,8 @@ json report_of(const Squares& s, const Squares& fine, int genus, int curves)
     if (valences.is_on_boundary[v]) report["corners"].push_back({{"quads", order + 2}, {"order", order}});
     else report["singularities"].push_back({{"order", order}});
   }
-  report["quad_mesh"] = {{"quads", fine.squares.size()}, {"vertices", fine.points.size()}, {"patches", s.squares.size()},
-                         {"scaled_jacobian", {{"min", 1}}}};
+  report["quad_mesh"] = {{"quads", fine.squares.size()}, {"vertices", fine.points.size()},
+                         {"patches", s.squares.size()}, {"scaled_jacobian", {{"min", 1}}}};
   return report;
 }
 
@@ -534,7 +535,8 @@ void spoilt_flat_fails(const Files& valid)
         flat[key].push_back(copy);
       }
   });
-  fails("flat_intrinsic: the triangles round every vertex form one circle, or one fan", [](Files& f) {   // two with one name
+  // two vertices with one name
+  fails("flat_intrinsic: the triangles round every vertex form one circle, or one fan", [](Files& f) {
     for (json& triangle : f.output.flat["triangles"])
       for (json& v : triangle)
         if (v == f.output.flat["vertices"].size() - 1) v = 0;
@@ -555,8 +557,8 @@ void spoilt_flat_fails(const Files& valid)
 void spoilt_report_fails(const Files& valid)
 {
   const Spoiler fails(valid);
-  for (const char* sentence : {"flat_intrinsic: Euler characteristic", "tmesh: V-E+F", "quads.obj: Euler characteristic",
-                               "8g-8+4b"})
+  for (const char* sentence : {"flat_intrinsic: Euler characteristic", "tmesh: V-E+F",
+                               "quads.obj: Euler characteristic", "8g-8+4b"})
     fails(sentence, [](Files& f) { f.output.report["input"]["boundary"] = 17; });
   fails("8g-8+4b", [](Files& f) { f.output.report["input"]["genus"] = 2; });
   for (const int closed : {0, 1}) {
@@ -569,14 +571,17 @@ void spoilt_report_fails(const Files& valid)
     fails("report.json: input.boundary", [&](Files& f) { f.output.report["input"]["boundary"] = bad; });
   fails("\"corners\" is missing", [](Files& f) { f.output.report.erase("corners"); });
   fails("corners is not an array", [](Files& f) { f.output.report["corners"] = 4; });
-  for (const char* sentence : {"flat_intrinsic, corners: their angles match the report", "flat.obj, corners: their angles match",
+  for (const char* sentence : {"flat_intrinsic, corners: their angles match the report",
+                               "flat.obj, corners: their angles match the report",
                                "irregular vertices of the boundary are exactly the corners"}) {
     fails(sentence, [](Files& f) { f.output.report["corners"].erase(0); });
     fails(sentence, [](Files& f) { f.output.report["corners"].push_back({{"order", 0}, {"quads", 2}}); });
     fails(sentence, [](Files& f) { f.output.report["corners"][0] = {{"order", 2}, {"quads", 4}}; });
   }
   fails("not its order + 2", [](Files& f) { f.output.report["corners"][0]["quads"] = 2; });
-  fails("the order of a corner is out of range", [](Files& f) { f.output.report["corners"][0] = {{"order", -2}, {"quads", 0}}; });
+  fails("the order of a corner is out of range", [](Files& f) {
+    f.output.report["corners"][0] = {{"order", -2}, {"quads", 0}};
+  });
   fails("\"quads\" is missing", [](Files& f) { f.output.report["corners"][0].erase("quads"); });
   // a corner is no singularity inside
   fails("cones: orders match the report", [](Files& f) {
@@ -630,8 +635,8 @@ void spoilt_tmesh_fails(const Files& valid)
     json& order = node_of_kind(f.output.tmesh, "corner")["order"];
     order = order.get<int>() + 1;
   });
-  fails("one node for every corner", [](Files& f) { node_of_kind(f.output.tmesh, "corner")["kind"] = "singularity"; });
-  fails("one node for every singularity", [](Files& f) { node_of_kind(f.output.tmesh, "corner")["kind"] = "singularity"; });
+  for (const char* sentence : {"one node for every corner", "one node for every singularity"})
+    fails(sentence, [](Files& f) { node_of_kind(f.output.tmesh, "corner")["kind"] = "singularity"; });
   for (const char* kind : {"t_junction", "crossing", "meeting", "boundary", "nothing"})
     fails("kind of every node", [&](Files& f) { node_of_kind(f.output.tmesh, "corner")["kind"] = kind; });
   for (const char* kind : {"crossing", "meeting", "boundary", "singularity"})
@@ -673,8 +678,8 @@ void spoilt_flat_obj_fails(const Files& valid)
     while (f.flat_obj[first].compare(0, 3, "vt ") != 0) ++first;
     f.flat_obj[first + 3] = "vt 0.125 0.25";
   });
-  // a vertex of the boundary moves along the surface, away from the input's boundary, and along the boundary, where nothing
-  // is wrong
+  // a vertex of the boundary moves along the surface, away from the input's boundary, and along the boundary, where
+  // nothing is wrong
   const std::size_t first_new = valid.input.number_of_vertices();
   for (std::size_t v = first_new; v < valid.flat_obj.size(); ++v) {
     const std::string& line = valid.flat_obj[v];
@@ -760,7 +765,8 @@ void random_bytes_do_no_harm(const Files& valid)
   valid.verified();
   const std::vector<std::pair<std::string, std::string>> texts = {
     {"flat_intrinsic.json", valid.output.flat.dump()}, {"tmesh.json", valid.output.tmesh.dump()},
-    {"report.json", valid.output.report.dump()}, {"flat.obj", joined(valid.flat_obj)}, {"quads.obj", joined(valid.quads)}};
+    {"report.json", valid.output.report.dump()}, {"flat.obj", joined(valid.flat_obj)},
+    {"quads.obj", joined(valid.quads)}};
   for (const auto& [name, text] : texts) {
     for (int i = 0; i < 200; ++i) {
       std::string bad = text;

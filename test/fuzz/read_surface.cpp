@@ -16,6 +16,14 @@
 
 using namespace CGAL::Quartic_differentials;
 
+void require_sound(const Intrinsic_triangulation& t)
+{
+  const std::string defect = structural_defect(t);
+  if (defect.empty()) return;
+  std::cerr << defect << std::endl;
+  std::abort();
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   static const Quartic_fuzz::Temporary_folder folder;
@@ -25,11 +33,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string path = folder.file(std::string("surface.") + formats[data[0] % 5], contents);
   std::vector<std::string> notes;
   try {
-    const std::string defect = structural_defect(read_surface(path, notes));
-    if (defect.empty()) return 0;
-    std::cerr << defect << std::endl;
-    std::abort();
+    require_sound(read_surface(path, notes));
   } catch (const Unusable_surface_error&) {
-    return 0;
   }
+  try {
+    for (const Surface_component& c : read_surface_components(path))
+      if (c.surface) require_sound(*c.surface);
+  } catch (const Unusable_surface_error&) {
+  }
+  return 0;
 }

@@ -10,8 +10,8 @@
 namespace CGAL {
 namespace Quartic_differentials {
 
-// More surfaces with boundary; plate() and with_disks_cut_out() of sample_surfaces.h are round. All are deterministic and
-// free of removed elements.
+// More surfaces with boundary; plate() and with_disks_cut_out() of sample_surfaces.h are round. All are deterministic
+// and free of removed elements.
 
 /// the square plate of 3 x 2, or the L, 3 x 3 without a square of 1.5 x 1.5
 enum class Plate_shape { rectangle, l };

@@ -27,8 +27,8 @@ Mesh with_slivers(Mesh mesh, double height, unsigned seed);
 /// \pre n >= 3
 Mesh with_hub(const Mesh& mesh, int n);
 
-/// every boundary edge in a triangle with an obtuse angle opposite to it: its face is split by a vertex at which the angle
-/// is random between 95 degrees and this, or greater than at the opposite vertex. The surface does not change.
+/// every boundary edge in a triangle with an obtuse angle opposite to it: its face is split by a vertex at which the
+/// angle is random between 95 degrees and this, or greater than at the opposite vertex. The surface does not change.
 /// \pre 95 <= degrees < 180
 Mesh with_obtuse_boundary(Mesh mesh, double degrees, unsigned seed);
 

@@ -370,7 +370,8 @@ std::vector<Surface_component> glued_components(const Glued_triangles& s)
   if (s.triangles.empty()) throw Unusable_surface_error("the surface has no triangle");
   std::vector<Surface_component> result;
   for (const Glued_triangles& part : parts(s, components(s)))
-    result.push_back(component(number_of_vertices(part), part.triangles.size(), [&](auto&) { return glued_surface(part); }));
+    result.push_back(component(number_of_vertices(part), part.triangles.size(),
+                               [&](auto&) { return glued_surface(part); }));
   return result;
 }
 

@@ -160,7 +160,8 @@ Mesh without_disks(const Mesh& mesh, int count, double radius, Vertex first)
   for (int i = 0; i < count; ++i) {
     const std::vector<double> from_here = internal::shortest_path_tree(t, t.lengths(), centre).distance;
     for (Vertex v : t.vertices()) distance[v] = std::min(distance[v], from_here[v]);
-    centre = Vertex(static_cast<Mesh::size_type>(std::max_element(distance.begin(), distance.end()) - distance.begin()));
+    const auto farthest = std::max_element(distance.begin(), distance.end());
+    centre = Vertex(static_cast<Mesh::size_type>(farthest - distance.begin()));
   }
   const double out = radius * std::sqrt(t.area());
   Mesh part = Part(t.mesh(), [&](Vertex v) { return distance[v] < out; }).mesh();

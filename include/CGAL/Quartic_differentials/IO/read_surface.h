@@ -43,13 +43,13 @@ struct Surface_component
 
 /// reads the components of a surface, those with more faces first, otherwise in the order of their first faces.
 ///
-/// Each is what `read_surface()` makes of a file that has it alone: its vertices and faces keep their order, and one that
-/// cannot be used does not keep the others from being read. What has a vertex in common is one component; if that has a
-/// boundary, so is what has points with exactly equal coordinates (STL needs this). The sentences count vertices and faces
-/// within the component.
+/// Each is what `read_surface()` makes of a file that has it alone: its vertices and faces keep their order, and one
+/// that cannot be used does not keep the others from being read. What has a vertex in common is one component; if that
+/// has a boundary, so is what has points with exactly equal coordinates (STL needs this). The sentences count vertices
+/// and faces within the component.
 ///
-/// \throws Unusable_surface_error if the file is missing, unreadable, empty, or not of its format, or an index is out of
-///         range
+/// \throws Unusable_surface_error if the file is missing, unreadable, empty, or not of its format, or an index is out
+///         of range
 /// Complexity: O(n log n).
 std::vector<Surface_component> read_surface_components(const std::string& path);
 

@@ -38,12 +38,12 @@ struct Verification
 ///
 /// On a surface with b boundary curves, as `input.boundary` of the report says, there are as many in all files, Euler
 /// characteristics are 2 - 2g - b and the degree 8g - 8 + 4b, and besides:
-/// - every edge of the boundary is exactly horizontal or vertical in its chart, and the angles between them are those of
-///   the `corners` in the report, 180 degrees elsewhere; with the input given, the boundary of flat.obj lies on the
+/// - every edge of the boundary is exactly horizontal or vertical in its chart, and the angles between them are those
+///   of the `corners` in the report, 180 degrees elsewhere; with the input given, the boundary of flat.obj lies on the
 ///   input's to 1e-12 of its diagonal and is as long;
 /// - arcs on the boundary are used once, forward; nodes `corner`, `boundary` and `t_junction` fit their places;
-/// - the irregular vertices of the quads' boundary are the corners; with the input given, vertices of the boundary lie on
-///   the input's to 1e-9 of its diagonal.
+/// - the irregular vertices of the quads' boundary are the corners; with the input given, vertices of the boundary lie
+///   on the input's to 1e-9 of its diagonal.
 ///
 /// A file that is missing, cut off or not of the right form is a check that failed, never an exception or a crash.
 /// \param input null: what the files say of the input is taken for granted

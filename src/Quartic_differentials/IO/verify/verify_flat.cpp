@@ -162,7 +162,8 @@ void verify_boundary(const std::string& name, const Flat& flat, const Report& re
 {
   const std::size_t slanted = slanted_border_edges(flat), curves = boundary_curves(flat).size();
   checks.push_back({curves == number_of_curves(report), name + ": " + curves_text(curves)});
-  checks.push_back({slanted == 0, name + ": " + std::to_string(slanted) + " of " + std::to_string(number_of_border_edges(flat))
+  checks.push_back({slanted == 0, name + ": " + std::to_string(slanted) + " of "
+                                + std::to_string(number_of_border_edges(flat))
                                 + " boundary edges are not parallel to an axis (exact)"});
 }
 
@@ -177,8 +178,9 @@ void verify_cones(const std::string& name, const Flat& flat, const Report& repor
   const std::int64_t degree = std::accumulate(facts.orders.begin(), facts.orders.end(), std::int64_t(0))
                             + std::accumulate(facts.corner_orders.begin(), facts.corner_orders.end(), std::int64_t(0));
   const std::string corners = report.is_closed() ? "" : std::to_string(facts.corner_orders.size()) + " corners, ";
-  checks.push_back({degree == report.degree(), name + ", cones: " + std::to_string(facts.orders.size()) + " singularities, "
-                                             + corners + "degree " + std::to_string(degree) + " = " + degree_text(report)});
+  checks.push_back({degree == report.degree(),
+                    name + ", cones: " + std::to_string(facts.orders.size()) + " singularities, " + corners + "degree "
+                    + std::to_string(degree) + " = " + degree_text(report)});
   checks.push_back({facts.orders == report.orders, name + ", cones: orders match the report"});
   if (!report.is_closed() || !report.corner_orders.empty())
     checks.push_back({facts.corner_orders == report.corner_orders, name + ", corners: their angles match the report"});
@@ -190,7 +192,8 @@ Flat read_flat(const std::string& folder, bool is_closed)
 {
   const Json json = read_json(folder, "flat_intrinsic.json");
   Flat flat;
-  flat.grid_exponent = static_cast<int>(integer(member(json, "grid_exponent"), 0, largest_grid_exponent, "grid_exponent"));
+  const Json& exponent = member(json, "grid_exponent");
+  flat.grid_exponent = static_cast<int>(integer(exponent, 0, largest_grid_exponent, "grid_exponent"));
   const Json& vertices = array(member(json, "vertices"), "vertices");
   const Json& triangles = array(member(json, "triangles"), "triangles");
   const std::size_t n = triangles.size();

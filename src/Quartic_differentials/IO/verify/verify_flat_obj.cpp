@@ -39,8 +39,8 @@ std::int64_t grid_coordinate(double x, int exponent)
   return static_cast<std::int64_t>(scaled);
 }
 
-// Glues triangles that share two vertices in opposite directions; returns whether no edge found more than one partner, and
-// all found one if the surface is closed.
+// Glues triangles that share two vertices in opposite directions; returns whether no edge found more than one partner,
+// and all found one if the surface is closed.
 bool glue(std::vector<Flat_triangle>& triangles, bool is_closed)
 {
   std::vector<std::tuple<std::int64_t, std::int64_t, std::int64_t, int>> edges;
@@ -113,7 +113,8 @@ void verify_on_input(const Flat_obj& obj, const Mesh& input, Checks& checks)
   for (std::size_t v = 0; v < n; ++v)
     if (input.point(Vertex(static_cast<Mesh::size_type>(v))) != point_3(obj.points[v])) ++moved;
   moved += input.number_of_vertices() - n;
-  checks.push_back({moved == 0, "flat.obj: " + std::to_string(moved) + " of " + std::to_string(input.number_of_vertices())
+  checks.push_back({moved == 0, "flat.obj: " + std::to_string(moved) + " of "
+                              + std::to_string(input.number_of_vertices())
                               + " vertices of the input are missing or have moved (exact)"});
 
   const Surface_tree tree(input.faces().begin(), input.faces().end(), input);
@@ -134,9 +135,10 @@ void verify_on_input(const Flat_obj& obj, const Mesh& input, Checks& checks)
   }
   checks.push_back({farthest <= 1e-12 * size, "flat.obj: lies on the input, within " + scientific(farthest / size)
                                             + " of its diagonal"});
-  checks.push_back({std::abs(area - input_area) <= 1e-9 * input_area, "flat.obj: covers the input's area up to "
-                                                                    + scientific(std::abs(area - input_area) / input_area)});
-  if (number_of_border_edges(obj.flat) > 0 || !CGAL::is_closed(input)) verify_boundary_on_input(obj, input, size, checks);
+  checks.push_back({std::abs(area - input_area) <= 1e-9 * input_area,
+                    "flat.obj: covers the input's area up to " + scientific(std::abs(area - input_area) / input_area)});
+  if (number_of_border_edges(obj.flat) > 0 || !CGAL::is_closed(input))
+    verify_boundary_on_input(obj, input, size, checks);
 }
 
 } // namespace
@@ -146,8 +148,9 @@ void verify_flat_obj(const std::string& folder, const Flat_facts& flat, const Re
 {
   Flat_obj obj = read_flat_obj(folder, flat.grid_exponent);
   const bool glued = glue(obj.flat.triangles, report.is_closed());
-  checks.push_back({glued, report.is_closed() ? "flat.obj: every edge is shared by two triangles, in opposite directions"
-                                              : "flat.obj: no edge is shared by more than two triangles, in opposite directions"});
+  const std::string shared = report.is_closed() ? "every edge is shared by two triangles"
+                                                : "no edge is shared by more than two triangles";
+  checks.push_back({glued, "flat.obj: " + shared + ", in opposite directions"});
   if (!glued) return;
   const Flat_facts facts = verify_flat("flat.obj", obj.flat, report, checks);
   checks.push_back({facts.doubled_area == flat.doubled_area, "flat.obj: exactly the area of the flat triangulation"});

@@ -189,9 +189,10 @@ void verify_quad_boundary(const Quads_obj& obj, const Quad_edges& edges, const M
 void verify_quad_surface(const Quads_obj& obj, const Report& report, const Mesh* input, Checks& checks)
 {
   const std::optional<Quad_edges> edges = quad_edges(obj.quads, report.is_closed());
-  checks.push_back({edges.has_value(), std::string("quads.obj: ")
-                    + (report.is_closed() ? "every edge is shared by two quads" : "no edge is shared by more than two quads")
-                    + ", in opposite directions, and no two edges have the same ends"});
+  const std::string shared = report.is_closed() ? "every edge is shared by two quads"
+                                                : "no edge is shared by more than two quads";
+  checks.push_back({edges.has_value(), "quads.obj: " + shared + ", in opposite directions, and no two edges have the "
+                                       "same ends"});
   if (!edges) return;
   std::vector<std::int64_t> valence(obj.points.size(), 0);
   for (const Quad& quad : obj.quads)
@@ -202,25 +203,27 @@ void verify_quad_surface(const Quads_obj& obj, const Report& report, const Mesh*
   checks.push_back({std::all_of(edges->begin(), edges->end(), [&](const auto& edge) {
                       const auto& ends = edge.first;
                       const std::size_t n = static_cast<std::size_t>(valence[ends.first]);
-                      if (boundary.count(ends.first) == 1 && !is_border(*edges, ends)) return true;   // not where a fan begins
-                      return quads_around(*edges, ends) == n;
+                      const bool in_fan = boundary.count(ends.first) == 1 && !is_border(*edges, ends);
+                      return in_fan || quads_around(*edges, ends) == n;   // round the vertex, from the fan's beginning
                     }), "quads.obj: the quads round every vertex form " + circle});
   // V - E + F, where 4 F counts edges inside twice and those of the boundary once
   const std::size_t number_of_edges = (4 * obj.quads.size() + boundary.size()) / 2;
   const std::int64_t chi = static_cast<std::int64_t>(obj.points.size()) - static_cast<std::int64_t>(number_of_edges)
                          + static_cast<std::int64_t>(obj.quads.size());
-  checks.push_back({chi == report.euler_characteristic(), "quads.obj: Euler characteristic " + std::to_string(chi) + " = "
-                                                        + euler_text(report)});
+  checks.push_back({chi == report.euler_characteristic(),
+                    "quads.obj: Euler characteristic " + std::to_string(chi) + " = " + euler_text(report)});
   std::vector<std::int64_t> inside, on_boundary;
-  for (std::size_t v = 0; v < valence.size(); ++v) (boundary.count(v) == 1 ? on_boundary : inside).push_back(valence[v]);
+  for (std::size_t v = 0; v < valence.size(); ++v)
+    (boundary.count(v) == 1 ? on_boundary : inside).push_back(valence[v]);
   const std::vector<std::int64_t> orders = orders_of(inside, 4), corner_orders = orders_of(on_boundary, 2);
   checks.push_back({orders == report.orders, "quads.obj: " + std::to_string(orders.size())
                                            + " irregular vertices are exactly the singularities"});
   if (report.is_closed()) return;
   const std::size_t curves = number_of_curves(boundary);
   checks.push_back({curves == number_of_curves(report), "quads.obj: " + curves_text(curves)});
-  checks.push_back({corner_orders == report.corner_orders, "quads.obj: " + std::to_string(corner_orders.size())
-                                                         + " irregular vertices of the boundary are exactly the corners"});
+  checks.push_back({corner_orders == report.corner_orders,
+                    "quads.obj: " + std::to_string(corner_orders.size())
+                    + " irregular vertices of the boundary are exactly the corners"});
   if (input != nullptr) verify_quad_boundary(obj, *edges, *input, checks);
 }
 
@@ -239,7 +242,8 @@ void verify_quad_patches(const Quads_obj& obj, const Quads_report& report, const
 
 } // namespace
 
-void verify_quads(const std::string& folder, const Report& report, const Ids& patch_ids, const Mesh* input, Checks& checks)
+void verify_quads(const std::string& folder, const Report& report, const Ids& patch_ids, const Mesh* input,
+                  Checks& checks)
 {
   const Quads_obj obj = read_quads(folder);
   checks.push_back({report.quads.has_value(), "quads.obj: the report says that there are quads"});

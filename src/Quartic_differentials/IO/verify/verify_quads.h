@@ -16,7 +16,8 @@ namespace verification {
 /// checks quads.obj for itself, against the report and the input
 /// \param patch_ids those of the T-mesh
 /// \param input may be null
-void verify_quads(const std::string& folder, const Report& report, const Ids& patch_ids, const Mesh* input, Checks& checks);
+void verify_quads(const std::string& folder, const Report& report, const Ids& patch_ids, const Mesh* input,
+                  Checks& checks);
 
 } } } // namespace CGAL::Quartic_differentials::verification
 

@@ -119,7 +119,8 @@ Tmesh read_tmesh(const std::string& folder, bool is_embedded)
 {
   const Json json = read_json(folder, "tmesh.json");
   Tmesh t;
-  t.grid_exponent = static_cast<int>(integer(member(json, "grid_exponent"), 0, largest_grid_exponent + 1, "grid_exponent"));
+  const Json& exponent = member(json, "grid_exponent");
+  t.grid_exponent = static_cast<int>(integer(exponent, 0, largest_grid_exponent + 1, "grid_exponent"));
   const std::string surface = string(member(json, "surface"), "surface");
   if (surface != "input" && surface != "flat_intrinsic")
     throw Malformed("\"surface\" is neither \"input\" nor \"flat_intrinsic\"");
@@ -241,15 +242,16 @@ Ids verify_t_mesh(const std::string& folder, const Flat_facts& flat, const Repor
                     "tmesh: " + std::to_string(t.patches.size()) + " patches are exact rectangles"});
   checks.push_back({all(t.patches, [&](const Patch& p) { return closes_up(t, p); }),
                     "tmesh: the sides of every patch close up"});
+  const std::string backward = report.is_closed() ? "once backward" : "at most once backward";
   checks.push_back({all(t.arcs, [&](const Arc& a) {
-                      return a.forward_uses == 1 && (a.backward_uses == 1 || (a.backward_uses == 0 && !report.is_closed()));
-                    }), std::string("tmesh: every arc is used once forward and ")
-                        + (report.is_closed() ? "once backward" : "at most once backward")});
+                      return a.forward_uses == 1 && a.backward_uses <= 1 && (a.backward_uses == 1 || !report.is_closed());
+                    }), "tmesh: every arc is used once forward and " + backward});
   checks.push_back({all(t.arcs, [](const Arc& a) { return a.length > 0; }), "tmesh: every arc has positive length"});
 
   const std::int64_t chi = static_cast<std::int64_t>(t.nodes.size()) - static_cast<std::int64_t>(t.arcs.size())
                          + static_cast<std::int64_t>(t.patches.size());
-  checks.push_back({chi == report.euler_characteristic(), "tmesh: V-E+F = " + std::to_string(chi) + " = " + euler_text(report)});
+  checks.push_back({chi == report.euler_characteristic(),
+                    "tmesh: V-E+F = " + std::to_string(chi) + " = " + euler_text(report)});
 
   Integer area = 0;
   for (const Patch& p : t.patches) area += Integer(p.width) * p.height;
