@@ -643,6 +643,8 @@ void spoilt_tmesh_fails(const Files& valid)
     fails("kind of every node", [&](Files& f) { node_of_kind(f.output.tmesh, "t_junction")["kind"] = kind; });
   fails("one node for every corner", [](Files& f) { node_of_kind(f.output.tmesh, "t_junction")["kind"] = "corner"; });
   fails("kind of every node", [&](Files& f) { node_of_kind(f.output.tmesh, "crossing")["kind"] = "boundary"; });
+  for (const char* kind : {"t_junction", "crossing"})
+    fails("kind of every node", [&](Files& f) { node_of_kind(f.output.tmesh, kind)["order"] = 1; });
   // with the right order, but at the wrong place
   fails("kind of every node", [&](Files& f) {
     json &corner = node_of_kind(f.output.tmesh, "corner"), &junction = node_of_kind(f.output.tmesh, "t_junction");

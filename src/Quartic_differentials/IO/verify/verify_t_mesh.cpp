@@ -183,10 +183,11 @@ bool fits_its_kind(const Node& n)
   return n.kind == "crossing" && n.arms == 4 && n.corners == 4;
 }
 
-// T-junctions are inside or on the boundary.
+// T-junctions are inside or on the boundary. Only singularities and corners have an order.
 bool fits_its_kind_with_boundary(const Node& n)
 {
-  if (n.kind == "corner")     return n.is_on_boundary() && n.arms == n.order + 3 && n.corners == n.order + 2;
+  if (n.kind == "corner") return n.is_on_boundary() && n.arms == n.order + 3 && n.corners == n.order + 2;
+  if (n.kind != "singularity" && n.order != 0) return false;
   if (n.kind == "boundary")   return n.is_on_boundary() && n.arms == 2 && n.corners == 0;
   if (n.kind == "t_junction") return fits_its_kind(n);
   return !n.is_on_boundary() && fits_its_kind(n);
