@@ -2,6 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "internal/Walk_graph.h"
+
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/handle_tunnel_loops.h>
 #include <CGAL/Quartic_differentials/internal/integer_matrix.h>
@@ -10,6 +12,7 @@
 #include <CGAL/Quartic_differentials/intersection_number.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <map>
@@ -25,56 +28,25 @@ namespace Quartic_differentials {
 namespace {
 
 using internal::Shortest_path_tree;
-using Walk = std::vector<Halfedge>;
+using internal::Walk;
+using internal::Walk_graph;
+using internal::loop_in_tree;
+using internal::path_from_root;
+using internal::reversed;
+using internal::without_spurs;
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-// ---- walks along edges
+// ---- loops
 
-Walk reversed(const Intrinsic_triangulation& t, const Walk& walk)
-{
-  Walk result;
-  for (auto h = walk.rbegin(); h != walk.rend(); ++h) result.push_back(t.opposite(*h));
-  return result;
-}
-
-Walk path_from_root(const Intrinsic_triangulation& t, const std::vector<Halfedge>& parent, Vertex v)
-{
-  Walk path;
-  for (Halfedge h = parent[v]; h != Mesh::null_halfedge(); h = parent[t.source(h)]) path.push_back(h);
-  std::reverse(path.begin(), path.end());
-  return path;
-}
-
-// removes every halfedge that is followed by its opposite, round the closed walk
-Walk without_spurs(const Intrinsic_triangulation& t, const Walk& walk)
-{
-  Walk result;
-  for (Halfedge h : walk)
-    if (!result.empty() && result.back() == t.opposite(h)) result.pop_back();
-    else result.push_back(h);
-  std::size_t ends = 0;
-  while (2 * ends + 1 < result.size() && result[ends] == t.opposite(result[result.size() - 1 - ends])) ++ends;
-  return Walk(result.begin() + ends, result.end() - ends);
-}
-
-// The loop that h closes in a tree. Without spurs it is simple: two paths in a tree that part do not meet again.
-Walk loop_in_tree(const Intrinsic_triangulation& t, const std::vector<Halfedge>& parent, Halfedge h)
-{
-  Walk loop = path_from_root(t, parent, t.source(h));
-  loop.push_back(h);
-  const Walk back = reversed(t, path_from_root(t, parent, t.target(h)));
-  loop.insert(loop.end(), back.begin(), back.end());
-  return without_spurs(t, loop);
-}
-
-Edge_loop edge_loop(const Intrinsic_triangulation& t, Walk walk)
+template <class Graph>
+Edge_loop edge_loop(const Graph& g, Walk walk)
 {
   Edge_loop loop;
   std::set<Vertex> visited;
   for (Halfedge h : walk) {
-    loop.length += t.length(h);
-    loop.simple = visited.insert(t.source(h)).second && loop.simple;
+    loop.length += g.length(h);
+    loop.simple = visited.insert(g.source(h)).second && loop.simple;
   }
   loop.walk = std::move(walk);
   return loop;
@@ -119,22 +91,22 @@ bool is_turned(const Class& x)
   return first != x.end() && *first < 0;
 }
 
-// The shortest loop known of every class, up to orientation.
+// The shortest loop known of every class in a graph, up to orientation.
 class Loop_catalogue
 {
 public:
-  Loop_catalogue(const Intrinsic_triangulation& t, const Integer_cochains& eta)
-    : m_t(t), m_eta(eta), m_crosses(t.number_of_edges()), m_distance(t.number_of_vertices(), infinity)
+  explicit Loop_catalogue(const Walk_graph& g)
+    : m_g(g), m_eta(g.cochains()), m_crosses(g.number_of_edges()), m_distance(g.number_of_vertices(), infinity)
   {
-    for (Edge e : t.edges()) m_crosses[e] = !eta.values().row(e.idx()).isZero();
+    for (std::size_t e = 0; e < m_crosses.size(); ++e) m_crosses[e] = !m_eta.values().row(e).isZero();
   }
 
   // looks at the loops through a vertex that are at most twice the radius long
   void add_root(Vertex root, double radius = infinity)
   {
-    const Shortest_path_tree tree = internal::shortest_path_tree(m_t, m_t.lengths(), root, radius);
+    const Shortest_path_tree tree = internal::shortest_path_tree(m_g, m_g.lengths(), root, radius);
     for (Vertex v : tree.order) m_distance[v] = std::min(m_distance[v], tree.distance[v]);
-    for (const auto& [x, nearest] : nearest_loops(tree)) keep(x, loop_in_tree(m_t, tree.parent, nearest.second));
+    for (const auto& [x, nearest] : nearest_loops(tree)) keep(x, loop_in_tree(m_g, tree.parent, nearest.second));
   }
 
   // the vertex that is farthest from all roots
@@ -154,7 +126,7 @@ public:
   Edge_loop loop(const Class& x) const
   {
     if (!is_turned(x)) return m_loops.at(x);
-    return edge_loop(m_t, reversed(m_t, m_loops.at(negative(x)).walk));
+    return edge_loop(m_g, reversed(m_g, m_loops.at(negative(x)).walk));
   }
 
   // the classes by the length of their loops
@@ -172,23 +144,23 @@ private:
   {
     // the integrals of the cochains along the tree: few differ, so vertices only name theirs
     std::vector<Eigen::RowVectorXi> value{Eigen::RowVectorXi::Zero(m_eta.size())};
-    std::vector<int> value_at(m_t.number_of_vertices(), 0);
+    std::vector<int> value_at(m_g.number_of_vertices(), 0);
     for (Vertex v : tree.order) {
       const Halfedge h = tree.parent[v];
       if (h == Mesh::null_halfedge()) continue;
-      value_at[v] = value_at[m_t.source(h)];
-      if (!m_crosses[m_t.edge(h)]) continue;
+      value_at[v] = value_at[m_g.source(h)];
+      if (!m_crosses[m_g.edge(h)]) continue;
       value.push_back(value[value_at[v]] + m_eta.row(h));
       value_at[v] = static_cast<int>(value.size()) - 1;
     }
     std::map<Class, std::pair<double, Halfedge>> nearest;
-    for (Edge e : m_t.edges()) {
-      Halfedge h = m_t.halfedge(e);
-      const Vertex from = m_t.source(h), to = m_t.target(h);
-      const double length = tree.distance[from] + m_t.length(e) + tree.distance[to];
+    for (std::size_t e = 0; e < m_crosses.size(); ++e) {
+      Halfedge h(static_cast<Mesh::size_type>(2 * e));
+      const Vertex from = m_g.source(h), to = m_g.target(h);
+      const double length = tree.distance[from] + m_g.length(h) + tree.distance[to];
       if (length == infinity || (value_at[from] == value_at[to] && !m_crosses[e])) continue;
       Class x = class_of(value[value_at[from]] + m_eta.row(h) - value[value_at[to]]);
-      if (is_turned(x)) { x = negative(x); h = m_t.opposite(h); }
+      if (is_turned(x)) { x = negative(x); h = m_g.opposite(h); }
       if (is_zero(x, 0, m_eta.size())) continue;
       const auto [entry, is_new] = nearest.insert({x, {length, h}});
       if (!is_new && length < entry->second.first) entry->second = {length, h};
@@ -198,16 +170,16 @@ private:
 
   void keep(const Class& x, Walk walk)
   {
-    Edge_loop loop = edge_loop(m_t, std::move(walk));
+    Edge_loop loop = edge_loop(m_g, std::move(walk));
     const auto [entry, is_new] = m_loops.insert({x, loop});
     if (!is_new && loop.length < entry->second.length) entry->second = std::move(loop);
   }
 
-  const Intrinsic_triangulation& m_t;
-  const Integer_cochains&        m_eta;
-  std::vector<char>              m_crosses;    // by edge: a cochain is not 0 on it
-  std::map<Class, Edge_loop>     m_loops;
-  std::vector<double>            m_distance;   // from the nearest root
+  const Walk_graph&          m_g;
+  const Integer_cochains&    m_eta;
+  std::vector<char>          m_crosses;    // by edge: a cochain is not 0 on it
+  std::map<Class, Edge_loop> m_loops;
+  std::vector<double>        m_distance;   // from the nearest root
 };
 
 // ---- the choice of classes
@@ -314,48 +286,48 @@ Homology_basis changed(const Homology_basis& basis, const Eigen::MatrixXi& u, st
 
 // ---- one loop after the other
 
-Vertex vertex_on(const Intrinsic_triangulation& t, const Walk& walk, int i, int n)
+template <class Graph>
+Vertex vertex_on(const Graph& g, const Walk& walk, int i, int n)
 {
-  return t.source(walk[walk.size() * i / n]);
+  return g.source(walk[walk.size() * i / n]);
 }
 
 // Looks for shorter loops in a class through vertices of the one known.
-void tighten(const Intrinsic_triangulation& t, const Class& x, Loop_catalogue& catalogue)
+void tighten(const Walk_graph& g, const Class& x, Loop_catalogue& catalogue)
 {
   const int vertices = 3, rounds = 4;
   double before = infinity;
   for (int round = 0; round < rounds && catalogue.length(x) < before; ++round) {
     before = catalogue.length(x);
     const Walk walk = catalogue.loop(x).walk;
-    for (int i = 0; i < vertices; ++i) catalogue.add_root(vertex_on(t, walk, i, vertices), catalogue.length(x) / 2);
+    for (int i = 0; i < vertices; ++i) catalogue.add_root(vertex_on(g, walk, i, vertices), catalogue.length(x) / 2);
   }
 }
 
 // Looks for loops in a class x through vertices of a loop that every such loop crosses.
-void search_across(const Intrinsic_triangulation& t, const Class& x, const Class& across, Loop_catalogue& catalogue)
+void search_across(const Walk_graph& g, const Class& x, const Class& across, Loop_catalogue& catalogue)
 {
   if (catalogue.length(across) == infinity) return;
   const int vertices = 8;
   const Walk walk = catalogue.loop(across).walk;
   for (int i = 0; i < vertices && catalogue.length(x) == infinity; ++i)
-    catalogue.add_root(vertex_on(t, walk, i, vertices));
+    catalogue.add_root(vertex_on(g, walk, i, vertices));
 }
 
 // The shortest walk through a vertex in a class, by Dijkstra's algorithm in the homology cover: a place is a vertex
 // with the class of the way to it, and the way back is at least as long as in the surface (A*). Nothing if there are
 // too many places.
-std::optional<Edge_loop> loop_in_cover(const Intrinsic_triangulation& t, const Integer_cochains& eta, const Class& x,
-                                       Vertex root)
+std::optional<Edge_loop> loop_in_cover(const Walk_graph& g, const Class& x, Vertex root)
 {
   using Place = std::pair<Class, Vertex>;
   struct Arrival { double length; Halfedge by; };
   const std::size_t most = 600000 / x.size();   // about a second
-  const Shortest_path_tree back = internal::shortest_path_tree(t, t.lengths(), root);
+  const Shortest_path_tree back = internal::shortest_path_tree(g, g.lengths(), root);
   const Place start{Class(x.size(), 0), root}, end{x, root};
   std::map<Place, Arrival> reached{{start, {0, Mesh::null_halfedge()}}};
   std::set<std::pair<double, Place>> queue{{0, start}};
   const auto moved = [&](Class y, Halfedge h, int sign) {
-    const Class step = class_of(eta.row(h));
+    const Class step = class_of(g.cochains().row(h));
     for (std::size_t k = 0; k < y.size(); ++k) y[k] += sign * step[k];
     return y;
   };
@@ -365,23 +337,23 @@ std::optional<Edge_loop> loop_in_cover(const Intrinsic_triangulation& t, const I
     const double length = reached.at(here).length;
     if (here == end) {
       Walk walk;
-      for (Place p = end; p != start; p = {moved(p.first, walk.back(), -1), t.source(walk.back())})
+      for (Place p = end; p != start; p = {moved(p.first, walk.back(), -1), g.source(walk.back())})
         walk.push_back(reached.at(p).by);
       std::reverse(walk.begin(), walk.end());
-      return edge_loop(t, std::move(walk));
+      return edge_loop(g, std::move(walk));
     }
-    const Halfedge first = t.halfedge_from(here.second);
+    const Halfedge first = g.halfedge_from(here.second);
     Halfedge h = first;
     do {
-      const Place there{moved(here.first, h, 1), t.target(h)};
-      const Arrival arrival{length + t.length(h), h};
+      const Place there{moved(here.first, h, 1), g.target(h)};
+      const Arrival arrival{length + g.length(h), h};
       const auto [entry, is_new] = reached.insert({there, arrival});
       if (is_new || arrival.length < entry->second.length) {
         if (!is_new) queue.erase({entry->second.length + back.distance[there.second], there});
         entry->second = arrival;
         queue.insert({arrival.length + back.distance[there.second], there});
       }
-      h = t.next_around_source(h);
+      h = g.next_around_source(h);
     } while (h != first);
   }
   return std::nullopt;
@@ -414,20 +386,20 @@ Edge_loop composed_loop(const Intrinsic_triangulation& t, const Integer_cochains
   return edge_loop(t, without_spurs(t, walk));
 }
 
-// Any walk in a class that no single shortest path closes, through a vertex of a loop that all of them cross.
-Edge_loop long_way_round(const Intrinsic_triangulation& t, const Integer_cochains& eta, const Class& x,
-                         const Class& across, const Loop_catalogue& catalogue)
+// Any loop in a class that no single shortest path closes, through a vertex of a loop that all of them cross.
+Edge_loop long_way_round(const Intrinsic_triangulation& t, const Integer_cochains& eta, const Walk_graph& g,
+                         const Class& x, const Class& across, const Loop_catalogue& catalogue)
 {
   const bool known = catalogue.length(across) < infinity;
-  const Vertex root = known ? t.source(catalogue.loop(across).walk.front()) : *t.vertices().begin();
-  if (const auto loop = loop_in_cover(t, eta, x, root)) return *loop;
-  return composed_loop(t, eta, x, root);
+  const Vertex root = known ? g.source(catalogue.loop(across).walk.front()) : Vertex(0);
+  if (const auto loop = loop_in_cover(g, x, root)) return edge_loop(t, g.on_surface(loop->walk));
+  return composed_loop(t, eta, x, g.forest().sites[root]);
 }
 
 // Chooses classes and looks for shorter loops in them by turns.
-Eigen::MatrixXi chosen_classes(const Intrinsic_triangulation& t, bool apart, Loop_catalogue& catalogue)
+Eigen::MatrixXi chosen_classes(const Walk_graph& g, int genus, bool apart, Loop_catalogue& catalogue)
 {
-  const int n = 2 * t.genus(), rounds = 4;
+  const int n = 2 * genus, rounds = 4;
   Eigen::MatrixXi u = Eigen::MatrixXi::Identity(n, n);
   for (int round = 0; round < rounds; ++round) {
     const Eigen::MatrixXi v = short_classes(catalogue, apart, u);
@@ -435,11 +407,59 @@ Eigen::MatrixXi chosen_classes(const Intrinsic_triangulation& t, bool apart, Loo
     u = v;
     for (int i = 0; i < n; ++i) {
       const Class x = row(u, i);
-      if (catalogue.length(x) == infinity) search_across(t, x, row(u, (i + n / 2) % n), catalogue);
-      if (catalogue.length(x) < infinity) tighten(t, x, catalogue);
+      if (catalogue.length(x) == infinity) search_across(g, x, row(u, (i + n / 2) % n), catalogue);
+      if (catalogue.length(x) < infinity) tighten(g, x, catalogue);
     }
   }
   return u;
+}
+
+// ---- from cells to vertices
+
+// Cells in which the shape of the surface can still be seen, or single vertices where these are few enough.
+internal::Cell_forest cells(const Intrinsic_triangulation& t)
+{
+  const double most = 2000;
+  if (t.number_of_vertices() <= most) return internal::cells_within(t, 0);
+  return internal::cells_within(t, std::sqrt(t.area() / most));
+}
+
+// A ribbon round a loop: the vertices in the cells that it passes through and in some rings of cells round them.
+std::vector<Vertex> ribbon(const Intrinsic_triangulation& t, const Walk_graph& g, const Walk& walk)
+{
+  const int rings = 2;
+  std::vector<char> inside(g.number_of_vertices(), false);
+  for (Halfedge h : walk) inside[g.vertex_of(t.source(h))] = true;
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<char> before = inside;
+    for (std::size_t e = 0; e < g.number_of_edges(); ++e) {
+      const Halfedge h(static_cast<Mesh::size_type>(2 * e));
+      if (before[g.source(h)]) inside[g.target(h)] = true;
+      if (before[g.target(h)]) inside[g.source(h)] = true;
+    }
+  }
+  std::vector<Vertex> vertices;
+  for (Vertex v : t.vertices())
+    if (inside[g.vertex_of(v)]) vertices.push_back(v);
+  return vertices;
+}
+
+// Looks for shorter loops in a class near the one known, which move with it.
+Edge_loop tightened(const Intrinsic_triangulation& t, const Integer_cochains& eta, const Walk_graph& g, const Class& x,
+                    Edge_loop loop)
+{
+  const int vertices = 2, rounds = 4;
+  double before = infinity;
+  for (int round = 0; round < rounds && loop.length < before; ++round) {
+    before = loop.length;
+    const Walk_graph near(t, eta, internal::single_vertices(t, ribbon(t, g, loop.walk)));
+    Loop_catalogue catalogue(near);
+    for (int i = 0; i < vertices; ++i) {
+      catalogue.add_root(near.vertex_of(vertex_on(t, loop.walk, i, vertices)), loop.length / 2);
+      if (catalogue.length(x) < loop.length) loop = edge_loop(t, near.on_surface(catalogue.loop(x).walk));
+    }
+  }
+  return loop;
 }
 
 } // namespace
@@ -459,16 +479,19 @@ Handle_tunnel_loops handle_tunnel_loops(const Intrinsic_triangulation& t, const 
   const Homology_basis& old = classes.basis;
   Handle_tunnel_loops result{classes, {}};
   if (g == 0) return result;
-  Loop_catalogue catalogue(t, old.cochains);
-  catalogue.add_root(*t.vertices().begin());
+  const Walk_graph graph(t, old.cochains, cells(t));
+  Loop_catalogue catalogue(graph);
+  catalogue.add_root(Vertex(0));
   for (int i = 1; i < roots; ++i) catalogue.add_root(catalogue.farthest());
 
-  const Eigen::MatrixXi u = chosen_classes(t, classes.found, catalogue);
+  const Eigen::MatrixXi u = chosen_classes(graph, g, classes.found, catalogue);
   result.classes.basis = changed(old, u, t.number_of_edges());
   for (int i = 0; i < 2 * g; ++i) {
     const Class x = row(u, i), across = row(u, (i + g) % (2 * g));
-    result.loops.push_back(catalogue.length(x) < infinity ? catalogue.loop(x)
-                                                          : long_way_round(t, old.cochains, x, across, catalogue));
+    Edge_loop loop = catalogue.length(x) < infinity ? edge_loop(t, graph.on_surface(catalogue.loop(x).walk))
+                                                    : long_way_round(t, old.cochains, graph, x, across, catalogue);
+    if (graph.number_of_vertices() < t.number_of_vertices()) loop = tightened(t, old.cochains, graph, x, loop);
+    result.loops.push_back(std::move(loop));
     if (integrals(result.classes.basis.cochains, result.loops[i].walk) != symplectic_unit(g).col(i).transpose())
       throw Numerical_error("a short loop is not in its class");
   }

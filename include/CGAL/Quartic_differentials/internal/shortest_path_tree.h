@@ -7,7 +7,10 @@
 
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
 
+#include <functional>
 #include <limits>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,10 +26,40 @@ struct Shortest_path_tree
 };
 
 /// Dijkstra's algorithm on halfedges: edges may be parallel.
+/// \tparam Graph an `Intrinsic_triangulation`, or a graph with its names for what stands at a vertex
 /// \param lengths by edge
 /// Complexity: linear, and O(k log k) for k vertices within the radius.
-Shortest_path_tree shortest_path_tree(const Intrinsic_triangulation& t, const std::vector<double>& lengths, Vertex root,
-                                      double radius = std::numeric_limits<double>::infinity());
+template <class Graph>
+Shortest_path_tree shortest_path_tree(const Graph& g, const std::vector<double>& lengths, Vertex root,
+                                      double radius = std::numeric_limits<double>::infinity())
+{
+  Shortest_path_tree tree;
+  tree.distance.assign(g.number_of_vertices(), std::numeric_limits<double>::infinity());
+  tree.parent.assign(g.number_of_vertices(), Mesh::null_halfedge());
+  using Item = std::pair<double, Vertex>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+  tree.distance[root] = 0;
+  queue.push({0, root});
+  while (!queue.empty()) {
+    const auto [d, v] = queue.top();
+    queue.pop();
+    if (d > tree.distance[v]) continue;
+    tree.order.push_back(v);
+    const Halfedge first = g.halfedge_from(v);
+    Halfedge h = first;
+    do {
+      const Vertex w = g.target(h);
+      const double through = d + lengths[g.edge(h)];
+      if (through < tree.distance[w] && through <= radius) {
+        tree.distance[w] = through;
+        tree.parent[w] = h;
+        queue.push({through, w});
+      }
+      h = g.next_around_source(h);
+    } while (h != first);
+  }
+  return tree;
+}
 
 } } } // namespace CGAL::Quartic_differentials::internal
 
