@@ -2,6 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "internal/faces_that_may_meet.h"
+
 #include <CGAL/Quartic_differentials/handle_tunnel_basis.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Lattice_basis.h>
@@ -14,6 +16,7 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,7 +31,6 @@ using internal::Big_integer_matrix;
 using internal::Integer;
 using internal::narrowed;
 using internal::widened;
-using Row_matrix = Integer_cochains::Row_matrix;
 
 // ---- the surface in space
 
@@ -54,12 +56,13 @@ auto exactly(const Mesh& mesh)
   return CGAL::parameters::vertex_point_map(Exact_positions{&mesh}).geom_traits(Kernel());
 }
 
-// where the surface meets itself, or nothing
+// where the surface meets itself, or nothing. Only the few faces are tested of which that is not plain to see.
 std::string self_intersection(const Intrinsic_triangulation& t)
 {
+  const std::vector<Face> faces = internal::faces_that_may_meet(t);
   std::optional<std::pair<Face, Face>> pair;
   const auto keep = boost::make_function_output_iterator([&](const std::pair<Face, Face>& p) { pair = p; });
-  CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(t.faces(), t.mesh(), keep,
+  CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(faces, t.mesh(), keep,
                                                                           exactly(t.mesh()).maximum_number(1));
   if (!pair) return "";
   return "the surface meets itself, for example in the triangles " + std::to_string(pair->first.idx()) + " and "
@@ -68,28 +71,55 @@ std::string self_intersection(const Intrinsic_triangulation& t)
 
 // ---- linking numbers
 
+// A vector with an integer for every loop at each of a few edges or halfedges, by index; 0 elsewhere.
+class Sparse_rows
+{
+public:
+  explicit Sparse_rows(int size) : m_zero(Eigen::RowVectorXi::Zero(size)) {}
+  const Eigen::RowVectorXi& operator[](std::size_t i) const
+  {
+    const auto found = m_row.find(i);
+    return found == m_row.end() ? m_zero : found->second;
+  }
+  void add(std::size_t i, int k, int n) { m_row.try_emplace(i, m_zero).first->second[k] += n; }
+  /// where the vector is not 0, in increasing order
+  std::vector<std::size_t> support() const
+  {
+    std::vector<std::size_t> indices;
+    for (const auto& [i, row] : m_row)
+      if (!row.isZero()) indices.push_back(i);
+    return indices;
+  }
+
+private:
+  std::map<std::size_t, Eigen::RowVectorXi> m_row;
+  Eigen::RowVectorXi                        m_zero;
+};
+
 // The loops gamma_k twice, as sums of segments on the surface: x_k along edges, y_k across faces.
 struct Curves
 {
-  Integer_cochains along;    // by edge: how often x_k runs along the halfedge
-  Integer_cochains across;   // eta_k: how often y_k leaves through the halfedge, at its midpoint
-  Row_matrix       turns;    // by halfedge: how often y_k goes from its midpoint straight to the next one's
+  Sparse_rows along;    // by edge: how often x_k runs along its first halfedge
+  Sparse_rows across;   // by edge: eta_k, how often y_k leaves through its first halfedge, at its midpoint
+  Sparse_rows turns;    // by halfedge: how often y_k goes from its midpoint straight to the next one's
 };
 
 Curves curves(const Intrinsic_triangulation& t, const std::vector<std::vector<Halfedge>>& loops)
 {
   const int n = static_cast<int>(loops.size());
-  Curves c{Integer_cochains(t.number_of_edges(), n), Integer_cochains(t.number_of_edges(), n),
-           Row_matrix::Zero(t.number_of_halfedges(), n)};
+  const auto add = [](Sparse_rows& by_edge, Halfedge h, int k, int count) {
+    by_edge.add(h.idx() / 2, k, h.idx() % 2 == 0 ? count : -count);
+  };
+  Curves c{Sparse_rows(n), Sparse_rows(n), Sparse_rows(n)};
   for (int k = 0; k < n; ++k)
     for (std::size_t i = 0; i < loops[k].size(); ++i) {
       const Halfedge in = t.opposite(loops[k][i]), out = loops[k][(i + 1) % loops[k].size()];
-      c.across.add(out, k, 1);
+      add(c.across, out, k, 1);
       if (out == t.next(in)) {   // turning right round target(in), the left side goes backwards along prev(in)
-        c.along.add(t.prev(in), k, -1);
-        c.turns(in.idx(), k) += 1;
+        add(c.along, t.prev(in), k, -1);
+        c.turns.add(in.idx(), k, 1);
       } else {
-        c.turns(out.idx(), k) -= 1;
+        c.turns.add(out.idx(), k, -1);
       }
     }
   return c;
@@ -112,12 +142,10 @@ class Linking_form
 {
 public:
   Linking_form(const Intrinsic_triangulation& t, const std::vector<std::vector<Halfedge>>& loops)
-    : m_t(t), m_curves(curves(t, loops))
+    : m_t(t), m_size(static_cast<int>(loops.size())), m_curves(curves(t, loops))
   {
-    for (Edge e : t.edges())
-      if (!m_curves.along.values().row(e.idx()).isZero()) m_edges.push_back(t.halfedge(e));
-    for (Halfedge h : t.halfedges())
-      if (!m_curves.turns.row(h.idx()).isZero()) m_turns.push_back(h);
+    for (std::size_t e : m_curves.along.support()) m_edges.push_back(t.halfedge(Edge(static_cast<Mesh::size_type>(e))));
+    for (std::size_t h : m_curves.turns.support()) m_turns.push_back(Halfedge(static_cast<Mesh::size_type>(h)));
     for (Halfedge h : m_edges) m_lower.push_back({point(t.source(h)), point(t.target(h))});
     for (Halfedge h : m_turns) m_upper.push_back({midpoint(h), midpoint(t.next(h))});
   }
@@ -134,14 +162,14 @@ public:
     };
     const auto crossings = internal::crossings_over(m_lower, m_upper, projection, in_one_face);
     if (!crossings) return std::nullopt;
-    Eigen::MatrixXi apart = Eigen::MatrixXi::Zero(m_curves.along.size(), m_curves.along.size());
+    Eigen::MatrixXi apart = Eigen::MatrixXi::Zero(m_size, m_size);
     for (const internal::Crossing& c : *crossings)
-      apart += c.sign * m_curves.along.row(m_edges[c.lower]).transpose() * m_curves.turns.row(m_turns[c.upper].idx());
+      apart += c.sign * along(m_edges[c.lower]).transpose() * m_curves.turns[m_turns[c.upper].idx()];
     Linking_matrices v{apart, apart};
     for (Halfedge h : m_edges) {
-      const Eigen::RowVectorXi across = m_curves.across.row(h);
+      const Eigen::RowVectorXi& across = m_curves.across[h.idx() / 2];
       if (across.isZero()) continue;
-      const Eigen::MatrixXi meetings = m_curves.along.row(h).transpose() * across;
+      const Eigen::MatrixXi meetings = along(h).transpose() * across;
       if (outer_push_passes_over(h, projection)) v.plus += meetings;
       else                                       v.minus -= meetings;
     }
@@ -149,6 +177,9 @@ public:
   }
 
 private:
+  // on the first halfedge of an edge
+  const Eigen::RowVectorXi& along(Halfedge h) const { return m_curves.along[h.idx() / 2]; }
+
   internal::Exact_point_3 point(Vertex v) const
   {
     const Point_3& p = m_t.mesh().point(v);
@@ -180,8 +211,9 @@ private:
   }
 
   const Intrinsic_triangulation&       m_t;
+  int                                  m_size;              // the number of loops
   Curves                               m_curves;
-  std::vector<Halfedge>                m_edges, m_turns;
+  std::vector<Halfedge>                m_edges, m_turns;    // m_edges are first halfedges
   std::vector<internal::Exact_segment> m_lower, m_upper;
 };
 

@@ -251,8 +251,9 @@ void test_tubes()
   test_tube("torus inside out", tube(40, 20, 1, circle, false), 40, 20);
   test_tube("trefoil", tube(300, 12, 0.3, trefoil), 300, 12);
   test_tube("trefoil inside out", tube(300, 12, 0.3, trefoil, false), 300, 12);
+  CHECK(test("fine trefoil", Intrinsic_triangulation(tube(1000, 30, 0.3, trefoil))).certified);
   // too many ways to spiral round it: a loop is put together from pieces
-  CHECK(test("fine trefoil", Intrinsic_triangulation(tube(1000, 30, 0.3, trefoil)), false).certified);
+  CHECK(test("thin trefoil", Intrinsic_triangulation(tube(2000, 6, 0.03, trefoil)), false).certified);
 
   const Handle_tunnel_basis fat = test("fat trefoil", Intrinsic_triangulation(tube(300, 12, 1.1, trefoil)));
   CHECK(!fat.certified);
@@ -262,11 +263,24 @@ void test_tubes()
   CHECK(!test("torus with a spike through it", Intrinsic_triangulation(pulled)).certified);
 }
 
+// On a torus of revolution, many times finer than the cells in which loops are looked for at first, the shortest loops
+// along edges are known: the inner equator, and every circle across.
+void test_shortest_loops()
+{
+  const int n = 240, m = 120;
+  const Intrinsic_triangulation t(torus(2, 1, n, m));
+  const Handle_tunnel_loops result = handle_tunnel_loops(t, handle_tunnel_basis(t, homology_basis(t)));
+  const auto circle = [](int k) { return 2 * k * std::sin(0.5 * two_pi / k); };
+  CHECK_NEAR(result.loops[0].length, circle(n), 1e-12 * circle(n));
+  CHECK_NEAR(result.loops[1].length, circle(m), 1e-12 * circle(m));
+}
+
 } // namespace
 
 int main()
 {
   test_linking_numbers();
+  test_shortest_loops();
   test_tubes();
   for (const auto& s : Quartic_test::sample_surfaces()) CHECK_EQUAL(test(s.name, s.surface).certified,
                                                                     s.surface.is_embedded());

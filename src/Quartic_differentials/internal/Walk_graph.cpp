@@ -5,9 +5,8 @@
 #include "Walk_graph.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <map>
-#include <unordered_map>
+#include <tuple>
 #include <utility>
 
 namespace CGAL {
@@ -61,7 +60,9 @@ struct Connection
 {
   Halfedge bridge;
   double   length;
+  int      to;          // the cell
   int      integrals;   // their name
+  int      next;        // connection from the same cell, or -1
 };
 
 // The shortest walk of every class between every two sites, in one of its directions.
@@ -70,7 +71,7 @@ class Connections
 public:
   Connections(const Intrinsic_triangulation& t, const Integer_cochains& eta, const Cell_forest& forest)
     : m_t(t), m_eta(eta), m_forest(forest), m_names(eta.size()),
-      m_name(integrals_along_paths(t, eta, forest, m_names))
+      m_name(integrals_along_paths(t, eta, forest, m_names)), m_first(forest.sites.size(), -1)
   {}
 
   void add(Halfedge h)
@@ -82,23 +83,23 @@ public:
       m_sum = m_names[m_name[m_t.source(h)]] + m_eta.row(h) - m_names[m_name[m_t.target(h)]];
     if (from == to && (is_zero || m_sum.isZero())) return;
     if (from == to ? is_turned(m_sum) : from > to) return add(m_t.opposite(h));
-    keep(from, to, {h, m_forest.distance[m_t.source(h)] + m_t.length(h) + m_forest.distance[m_t.target(h)],
-                    is_zero ? 0 : m_names(m_sum)});
+    keep({h, m_forest.distance[m_t.source(h)] + m_t.length(h) + m_forest.distance[m_t.target(h)], to,
+          is_zero ? 0 : m_names(m_sum), m_first[from]}, from);
   }
 
   const std::vector<Connection>& list() const { return m_list; }
   const Integrals& integrals(const Connection& c) const { return m_names[c.integrals]; }
 
 private:
-  void keep(int from, int to, const Connection& c)
+  void keep(const Connection& c, int from)
   {
-    std::vector<std::size_t>& known = m_between[std::uint64_t(from) << 32 | std::uint64_t(to)];
-    for (std::size_t i : known) {
-      if (m_list[i].integrals != c.integrals) continue;
-      if (c.length < m_list[i].length) m_list[i] = c;
+    for (int i = m_first[from]; i >= 0; i = m_list[i].next) {
+      Connection& known = m_list[i];
+      if (known.to != c.to || known.integrals != c.integrals) continue;
+      if (c.length < known.length) std::tie(known.bridge, known.length) = std::tie(c.bridge, c.length);
       return;
     }
-    known.push_back(m_list.size());
+    m_first[from] = static_cast<int>(m_list.size());
     m_list.push_back(c);
   }
 
@@ -108,8 +109,8 @@ private:
   Names                          m_names;
   std::vector<int>               m_name;   // by vertex: that of the integrals along the path from its site
   Integrals                      m_sum;
+  std::vector<int>               m_first;  // by cell: the last connection from it, or -1
   std::vector<Connection>        m_list;
-  std::unordered_map<std::uint64_t, std::vector<std::size_t>> m_between;   // by pair of cells, one for every class
 };
 
 } // namespace
