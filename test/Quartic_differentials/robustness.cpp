@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Generated surfaces of genus 0 to 12, good and bad, with random singularities and options, through the program: every
-// run ends in time with results that are verified, with a mathematical reason, or, seldom, says that a computation did
-// not reach its tolerance; never with a crash or a wrong result. A table in Markdown goes to the standard output.
+// Generated surfaces of genus 0 to 12, good and bad, closed and with boundary, with random singularities and options,
+// through the program: every run ends in time with results that are verified, with a mathematical reason, or, seldom, says
+// that a computation did not reach its tolerance; never with a crash or a wrong result. A table in Markdown goes to the
+// standard output.
 //
 // robustness [SEED [FIRST [LAST]]]: a case depends on SEED and its number alone, so that each can be run again.
 
@@ -36,6 +37,7 @@ using namespace Quartic_test;
 namespace {
 
 const int    most_genus = 12;
+const int    closed_cases = 200;           // those that follow have a boundary
 const double seconds_allowed = 600;        // by the clock, also where the machine is busy: a run that hangs
 const double numerical_failures_allowed = 0.05;   // of all runs
 
@@ -61,6 +63,15 @@ struct Case
 {
   int         genus;
   std::string file, sample, divisor, options;   // the last two: lines of the file of singularities, or none
+  std::string cut;                              // options with which disks are cut out; none on closed surfaces
+
+  bool has_boundary() const { return !cut.empty() || sample.rfind("plate", 0) == 0; }
+  /// the commands that make the file, each with its arguments
+  std::vector<std::string> commands() const
+  {
+    if (cut.empty()) return {"sample " + sample + " -o " + file};
+    return {"sample " + sample + " -o closed.off", "sample cut closed.off" + cut + " -o " + file};
+  }
 };
 
 std::string spoilt(Dice& dice)
@@ -89,6 +100,45 @@ Case random_surface(int genus, Dice& dice)
   else c.sample = (dice.chance(0.6) ? "chain -g " : "ring -g ") + g + " -n " + std::to_string(dice.between(6, genus < 4 ? 9 : 6));
   if (dice.chance(0.6)) c.sample += spoilt(dice);
   return c;
+}
+
+// a plate, or a surface with disks cut out, or with more than half of it cut off
+Case random_surface_with_boundary(int number, Dice& dice)
+{
+  Case c = random_surface(number % 5, dice);
+  while (c.file == "surface.json") c = random_surface(number % 5, dice);
+  if (dice.chance(0.2)) {
+    c.genus = 0;
+    c.sample = "plate --shape " + dice.one_of<std::string>({"round", "rectangle", "L"}) + " --holes "
+             + std::to_string(dice.between(0, 4)) + " -n " + std::to_string(dice.between(12, 30)) + spoilt(dice);
+    if (dice.chance(0.3)) c.sample += " --obtuse-boundary " + std::to_string(dice.between(100, 179));
+    return c;
+  }
+  std::ostringstream options;
+  if (dice.chance(0.8)) options << " --disks " << dice.between(1, 4) << " --radius " << dice.between(0.03, 0.12);
+  else options << " --plane " << dice.between(-1.0, 1.0) << ',' << dice.between(-1.0, 1.0) << ",1";
+  options << " --seed " << dice.between(1, 1000000);
+  if (dice.chance(0.3)) options << " --obtuse-boundary " << dice.between(100, 179);
+  c.cut = options.str();
+  return c;
+}
+
+std::string random_options_with_boundary(Dice& dice)
+{
+  std::ostringstream options;
+  if (dice.chance(0.3)) options << " --corners none";
+  if (dice.chance(0.3)) options << " --count " << dice.between(2, 60);
+  else if (dice.chance(0.4)) options << " --distortion " << dice.power_of_ten(-2.2, 0);
+  if (dice.chance(0.1)) options << " --no-optimize";
+  if (dice.chance(0.1)) options << " --start " << dice.one_of<std::string>({"curvature", "field", "pairs"});
+  if (dice.chance(0.1)) options << " --norm " << dice.one_of<std::string>({"movement", "paper", "invariant"});
+  if (dice.chance(0.05)) options << " --abel-jacobi zeros";
+  if (dice.chance(0.1)) options << " --intrinsic";
+  if (dice.chance(0.05)) options << " --precision " << dice.between(64, 160);
+  if (dice.chance(0.5)) options << " --quads " << dice.between(1, 3000);
+  if (dice.chance(0.2)) options << " --splines";
+  if (!dice.chance(0.3)) options << " --no-html";
+  return options.str();
 }
 
 // Orders mostly of 1 and -1, but also from -3 to 8; several at one place; pinned; degree 8g - 8, unless it is wrong.
@@ -151,9 +201,17 @@ Case random_case(unsigned seed, int number)
   std::vector<unsigned> own(1);
   mixed.generate(own.begin(), own.end());
   Dice dice(own[0]);
-  Case c = random_surface(number % (most_genus + 1), dice);
-  const Outcome made = folder.quartic("sample " + c.sample + " -o " + c.file);
-  CHECK_EQUAL(made.status, 0);
+  const bool is_closed = number < closed_cases;
+  Case c = is_closed ? random_surface(number % (most_genus + 1), dice) : random_surface_with_boundary(number, dice);
+  for (const std::string& command : c.commands()) {
+    const Outcome made = folder.quartic(command);
+    if (!is_closed && made.status == 2) c.file.clear();   // disks that meet, or nothing left: said by `sample`
+    else CHECK_EQUAL(made.status, 0);
+  }
+  if (!is_closed) {
+    c.options = random_options_with_boundary(dice);
+    return c;
+  }
   const bool in_space = c.file != "surface.json";
   const bool chosen = !in_space || dice.chance(0.35);
   if (!chosen) {
@@ -174,6 +232,7 @@ struct Result
   int         status, genus;
   std::string sentence, how;
   double      cpu_seconds;
+  bool        has_boundary;
 };
 
 bool is_one_sentence(const std::string& text)
@@ -204,13 +263,13 @@ bool all_hold(const std::string& checks)
   return hold;
 }
 
-// by the program, and by the independent check where that is there and knows the format
+// by the program, and by the independent check where that is there and knows the format; it knows no boundary
 bool is_verified(const Case& c)
 {
   const Outcome o = folder.quartic("verify " + c.file + " results");
   bool holds = all_hold(o.out) && o.status == 0;
   const std::string script = environment("QUARTIC_VERIFY_OUTPUTS"), format = fs::path(c.file).extension();
-  if (script.empty() || (format != ".off" && format != ".obj")) return holds;
+  if (script.empty() || c.has_boundary() || (format != ".off" && format != ".obj")) return holds;
   const auto unless_there = [](const char* file, const char* option) { return fs::exists(folder / "results" / file) ? "" : option; };
   const int status = std::system(("cd '" + (folder / "").string() + "' && '" + script + "' " + c.file + " results "
     + unless_there("quads.obj", "--no-quads ") + unless_there("tmesh.json", "--no-tmesh ") + ">checks.txt 2>&1").c_str());
@@ -224,13 +283,16 @@ Result run(unsigned seed, int number)
 {
   fs::remove_all(folder / "results");
   const Case c = random_case(seed, number);
+  if (c.file.empty()) return {2, c.genus, "quartic: `sample` found no place to cut\n", "", 0, true};
   std::string arguments = "run " + c.file + " -o results -q" + c.options;
   if (!c.divisor.empty()) {
     std::ofstream(folder / "singularities.txt") << c.divisor;
     arguments += " --singularities singularities.txt";
   }
   const Outcome o = folder.quartic(arguments, "timeout -k 10 " + std::to_string(seconds_allowed));
-  const Result r{o.status, c.genus, o.err, "quartic sample " + c.sample + " -o " + c.file + " && quartic " + arguments, o.cpu_seconds};
+  std::string how;
+  for (const std::string& command : c.commands()) how += "quartic " + command + " && ";
+  const Result r{o.status, c.genus, o.err, how + "quartic " + arguments, o.cpu_seconds, c.has_boundary()};
   const bool good = o.status == 0 ? o.err.empty() && is_verified(c)
                                   : (o.status == 2 || o.status == 3) && is_one_sentence(o.err);
   if (!good || !nothing_is_half_written())
@@ -276,7 +338,10 @@ void print_table(const std::vector<Result>& results)
     std::cout << "| " << name << " | " << times.size() << " | " << count[0] << " | " << count[2] << " | " << count[3] << " | "
               << quantile(times, 0.5) << " | " << quantile(times, 1) << " |\n";
   };
-  for (int g = 0; g <= most_genus; ++g) row(std::to_string(g), [g](const Result& r) { return r.genus == g; });
+  for (int g = 0; g <= most_genus; ++g)
+    row(std::to_string(g), [g](const Result& r) { return !r.has_boundary && r.genus == g; });
+  for (int g = 0; g < 5; ++g)
+    row(std::to_string(g) + ", with boundary", [g](const Result& r) { return r.has_boundary && r.genus == g; });
   row("all", [](const Result&) { return true; });
 
   std::map<std::pair<int, std::string>, int> reasons;
@@ -297,7 +362,7 @@ int main(int argc, char** argv)
   }
   const auto argument = [&](int i, int otherwise) { return i < argc ? std::atoi(argv[i]) : otherwise; };
   const unsigned seed = static_cast<unsigned>(argument(1, 1));
-  const int first = argument(2, 0), last = argument(3, argc > 2 ? first : 199);
+  const int first = argument(2, 0), last = argument(3, argc > 2 ? first : closed_cases + 99);
   std::vector<Result> results;
   for (int i = first; i <= last; ++i) {
     results.push_back(run(seed, i));
