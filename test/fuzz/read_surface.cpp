@@ -27,10 +27,10 @@ void require_sound(const Intrinsic_triangulation& t)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   static const Quartic_fuzz::Temporary_folder folder;
-  static const char* const formats[] = {"off", "obj", "ply", "stl", "json"};
+  static const char* const formats[] = {"off", "obj", "ply", "stl", "json", "vtp"};
   if (size == 0) return 0;
   const std::string contents(data + 1, data + size);
-  const std::string path = folder.file(std::string("surface.") + formats[data[0] % 5], contents);
+  const std::string path = folder.file(std::string("surface.") + formats[data[0] % 6], contents);
   std::vector<std::string> notes;
   try {
     require_sound(read_surface(path, notes));
