@@ -253,7 +253,7 @@ void test_tubes()
   test_tube("trefoil inside out", tube(300, 12, 0.3, trefoil, false), 300, 12);
   CHECK(test("fine trefoil", Intrinsic_triangulation(tube(1000, 30, 0.3, trefoil))).certified);
   // too many ways to spiral round it: a loop is put together from pieces
-  CHECK(test("thin trefoil", Intrinsic_triangulation(tube(2000, 6, 0.03, trefoil)), false).certified);
+  CHECK(test("thin trefoil", Intrinsic_triangulation(tube(1000, 6, 0.03, trefoil)), false).certified);
 
   const Handle_tunnel_basis fat = test("fat trefoil", Intrinsic_triangulation(tube(300, 12, 1.1, trefoil)));
   CHECK(!fat.certified);

@@ -92,9 +92,9 @@ Case random_surface(int genus, Dice& dice)
   if (genus >= 1 && dice.chance(0.2)) {
     const bool polygon = dice.chance(0.5);
     const int subdivisions = dice.between(genus == 1 ? 1 : 0, 3);
-    return {genus, "surface.json", (polygon ? "polygon -g " : "hyperelliptic -g ") + g + " -s " + std::to_string(subdivisions), "", ""};
+    return {genus, "surface.json", (polygon ? "polygon -g " : "hyperelliptic -g ") + g + " -s " + std::to_string(subdivisions), "", "", ""};
   }
-  Case c{genus, "surface." + dice.one_of<std::string>({"off", "off", "off", "obj", "ply", "stl"}), "", "", ""};
+  Case c{genus, "surface." + dice.one_of<std::string>({"off", "off", "off", "obj", "ply", "stl"}), "", "", "", ""};
   if (genus == 0 && dice.chance(0.6)) c.sample = "sphere -s " + std::to_string(dice.between(1, 4));
   else if (genus == 1 && dice.chance(0.6)) c.sample = "torus -n " + std::to_string(dice.between(6, 60));
   else c.sample = (dice.chance(0.6) ? "chain -g " : "ring -g ") + g + " -n " + std::to_string(dice.between(6, genus < 4 ? 9 : 6));
