@@ -279,6 +279,51 @@ void exhaustive_search(const std::string& name, int cases, std::size_t least_oth
   for (const char* kind : {"an edge ", "a vertex", "the sing", "parts of"}) CHECK(violations[kind] > 0);
 }
 
+// A room with two necks that overlap, one under its ceiling and one on its floor, and a trace that runs between them. If
+// both have height 0, no path of arcs joins ceiling and floor, but chords do, from points inside arcs of the boundary.
+void overlapping_necks()
+{
+  std::map<std::pair<int, int>, int> square;   // by lower left corner
+  std::vector<std::pair<int, int>> corner;
+  for (int x = 0; x < 8; ++x)
+    for (int y = 3 <= x && x < 5 ? -5 : -6; y < (x == 0 ? 0 : 2 <= x && x < 4 ? 5 : 6); ++y) {
+      square[{x, y}] = static_cast<int>(corner.size());
+      corner.emplace_back(x, y);
+    }
+  Gluing glued(4 * corner.size(), -1);
+  for (std::size_t s = 0; s < corner.size(); ++s) {
+    const auto [x, y] = corner[s];
+    const std::pair<int, int> beside[] = {{x, y - 1}, {x + 1, y}, {x, y + 1}, {x - 1, y}};
+    for (int k = 0; k < 4; ++k)
+      if (square.count(beside[k]) > 0) glued[4 * s + k] = 4 * square[beside[k]] + (k + 2) % 4;
+  }
+  const std::int64_t side = 16;
+  const T_mesh t = t_mesh(exact_differential(glued, {side, 0}, {0, side}), quiet);
+  const auto lengths = [&](const std::map<std::int64_t, int>& new_x, const std::map<std::int64_t, int>& new_y) {
+    const auto place = [&](std::size_t n) {
+      const auto [x, y] = corner[t.nodes[n].face.idx() / 2];
+      const Grid_vector z = t.nodes[n].point;   // the grid's coordinates are doubled
+      return std::make_pair(new_x.at(x + z.x / (2 * side)), new_y.at(y + z.y / (2 * side)));
+    };
+    std::vector<int> q;
+    for (const T_mesh::Arc& arc : t.arcs) {
+      const auto [x, y] = place(arc.from);
+      const auto [u, v] = place(arc.to);
+      q.push_back(std::abs(u - x) + std::abs(v - y));
+    }
+    return q;
+  };
+  const std::map<std::int64_t, int> columns{{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}, {8, 6}};
+  const std::vector<int> one = lengths(columns, {{-6, -1}, {-5, 0}, {0, 0}, {5, 1}, {6, 2}});
+  CHECK_EQUAL(quantization_defect(t, one), "");
+  CHECK(internal::separating_cuts(t, one).empty());
+  const std::vector<int> none = lengths(columns, {{-6, -1}, {-5, 0}, {0, 0}, {5, 0}, {6, 1}});
+  CHECK(!quantization_defect(t, none).empty());
+  const std::vector<internal::Separating_cut> cuts = internal::separating_cuts(t, none);
+  CHECK(!cuts.empty());
+  for (const internal::Separating_cut& cut : cuts) CHECK(!cut.is_valid);
+}
+
 // Coarse quads on surfaces with many singularities close together, by every method.
 void coarse_square_tiled_surfaces()
 {
@@ -433,6 +478,7 @@ int main()
   std::mt19937 random(2);
   exhaustive_search("closed", 80, 101, [&](int n) { return small_surface(n % 2 == 0, random); });
   exhaustive_search("with boundary", 160, 0, [&](int n) { return small_surface_with_boundary(n % 2 == 0, random); });
+  overlapping_necks();
   coarse_square_tiled_surfaces();
   check_sample("sphere", bumpy_sphere(3));
   check_sample("torus", jittered_torus(40, 20, 0.3, 0.5, 2));
