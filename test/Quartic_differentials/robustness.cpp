@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Generated surfaces of genus 0 to 12, good and bad, closed and with boundary, with random singularities and options,
-// through the program: every run ends in time with results that are verified, with a mathematical reason, or, seldom, says
-// that a computation did not reach its tolerance; never with a crash or a wrong result. A table in Markdown goes to the
-// standard output.
+// through the program: every run ends in time with results that are verified, with a mathematical reason, or, seldom,
+// says that a computation did not reach its tolerance; never with a crash or a wrong result. A table in Markdown goes to
+// the standard output.
 //
 // robustness [SEED [FIRST [LAST]]]: a case depends on SEED and its number alone, so that each can be run again.
 
@@ -92,7 +92,8 @@ Case random_surface(int genus, Dice& dice)
   if (genus >= 1 && dice.chance(0.2)) {
     const bool polygon = dice.chance(0.5);
     const int subdivisions = dice.between(genus == 1 ? 1 : 0, 3);
-    return {genus, "surface.json", (polygon ? "polygon -g " : "hyperelliptic -g ") + g + " -s " + std::to_string(subdivisions), "", "", ""};
+    return {genus, "surface.json",
+            (polygon ? "polygon -g " : "hyperelliptic -g ") + g + " -s " + std::to_string(subdivisions), "", "", ""};
   }
   Case c{genus, "surface." + dice.one_of<std::string>({"off", "off", "off", "obj", "ply", "stl"}), "", "", "", ""};
   if (genus == 0 && dice.chance(0.6)) c.sample = "sphere -s " + std::to_string(dice.between(1, 4));
