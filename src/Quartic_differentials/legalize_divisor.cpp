@@ -186,7 +186,8 @@ Lattice_candidates nearest_lattice_vectors(const internal::Moving_divisor& d, co
   const Eigen::MatrixXd j = d.jacobian();
   require_full_rank(j);
   if (options.norm != Lattice_norm::movement && 2 * periods.pi.rows() != j.rows())
-    throw Error("the norms of C^g belong to closed surfaces and their period matrices: take the norm of least movement");
+    throw Infeasible_divisor_error("the norms of C^g belong to closed surfaces and their period matrices: take the norm of "
+                                   "least movement");
   Closest_vector_options lattice;
   lattice.count = options.lattice_vectors;
   lattice.radius_factor = 2;

@@ -188,6 +188,9 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
                           Quartic_differential_result& result)
 {
   if (options.quads) internal::require_embedded(input, "quads");
+  if (options.route == Abel_jacobi_route::zeros && input.has_boundary())
+    throw Infeasible_divisor_error("the Abel-Jacobi map from the zeros of a holomorphic 1-form belongs to closed surfaces: "
+                                   "take the one from the curvature");
   internal::Timing_visitor visitor(user_visitor, result.timings);
   result.surface = riemann_surface(input, visitor, options.homology);
   const Riemann_surface& s = *result.surface;
@@ -195,7 +198,7 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
   std::optional<Abel_jacobi_map> map;
   {
     const Timed_step step(visitor, "abel_jacobi");
-    if (options.route == Abel_jacobi_route::curvature || input.has_boundary()) map.emplace(s.delaunay, s.homology.cochains, s.forms);
+    if (options.route == Abel_jacobi_route::curvature) map.emplace(s.delaunay, s.homology.cochains, s.forms);
     else map.emplace(s.delaunay, s.forms, s.zeros);
   }
   {

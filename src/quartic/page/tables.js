@@ -41,14 +41,18 @@ function boundaryText() {
   return b === 0 ? "" : b === 1 ? "1 boundary curve, " : `${b} boundary curves, `;
 }
 
+// of singularities and corners
+const placeColumns = [
+  {title: "position", of: s => s.position ? s.position.map(x => shown(x, 4)).join(", ") : `face ${s.face}`},
+  {title: "moved by", of: s => shown(s.moved_by)},
+  {title: "", of: s => s.pinned ? "pinned" : ""}];
+
 function cornersOfBoundary() {
   if (corners.length === 0) return "";
   const columns = [
     {title: "", of: c => String(corners.indexOf(c) + 1)},
     {title: "quads", of: c => make("span", {}, square(c.order), " " + c.quads)},
-    {title: "position", of: c => c.position ? c.position.map(x => shown(x, 4)).join(", ") : `face ${c.face}`},
-    {title: "moved by", of: c => shown(c.moved_by)},
-    {title: "", of: c => c.pinned ? "pinned" : ""}];
+    ...placeColumns];
   return make("div", {},
     make("h2", {}, "Corners"),
     note("At a corner of the boundary with m quads the angle is m right angles, and its order m − 2. Between corners the "
@@ -65,9 +69,7 @@ function singularities() {
     {title: "", of: s => String(all.indexOf(s) + 1)},
     {title: "order", of: s => make("span", {}, dot(s.order), " " + orderName(s.order))},
     {title: "valence", of: s => String(s.valence)},
-    {title: "position", of: s => s.position ? s.position.map(x => shown(x, 4)).join(", ") : `face ${s.face}`},
-    {title: "moved by", of: s => shown(s.moved_by)},
-    {title: "", of: s => s.pinned ? "pinned" : ""}];
+    ...placeColumns];
   return make("div", {},
     make("h2", {}, "Singularities"),
     note("A vertex of valence k is a zero of order k − 4 of the differential (a pole where that is negative). "
