@@ -29,6 +29,16 @@ using internal::scientific;
 
 void append(Divisor& divisor, const Divisor& more) { divisor.insert(divisor.end(), more.begin(), more.end()); }
 
+// Surfaces with boundary have no period matrix.
+void refuse_what_needs_periods(const Quartic_differential_options& options)
+{
+  if (options.route == Abel_jacobi_route::zeros)
+    throw Infeasible_divisor_error("the Abel-Jacobi map from the zeros of a holomorphic 1-form belongs to closed surfaces: "
+                                   "take the one from the curvature");
+  if (options.legalization.norm != Lattice_norm::movement)
+    throw Infeasible_divisor_error("the norms of the periods belong to closed surfaces: take the norm of least movement");
+}
+
 // The divisor to start from: given, completed, or chosen. Corners of the boundary are found if none are given.
 Divisor starting_divisor(const Riemann_surface& s, const std::optional<Divisor>& singularities,
                          const Quartic_differential_options& options, Visitor& visitor,
@@ -188,9 +198,7 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
                           Quartic_differential_result& result)
 {
   if (options.quads) internal::require_embedded(input, "quads");
-  if (options.route == Abel_jacobi_route::zeros && input.has_boundary())
-    throw Infeasible_divisor_error("the Abel-Jacobi map from the zeros of a holomorphic 1-form belongs to closed surfaces: "
-                                   "take the one from the curvature");
+  if (input.has_boundary()) refuse_what_needs_periods(options);
   internal::Timing_visitor visitor(user_visitor, result.timings);
   result.surface = riemann_surface(input, visitor, options.homology);
   const Riemann_surface& s = *result.surface;
