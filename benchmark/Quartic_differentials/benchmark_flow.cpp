@@ -81,8 +81,8 @@ void measure(const Flow_case& c, int number_of_runs, const Targets& targets)
   std::cout << "| " << c.subject.name << " | " << input.number_of_vertices() << " | " << input.genus() << " | " << poles
             << " + " << divisor.size() - poles << " | " << m.flow.newton_iterations << " + " << m.flow.polishing_steps
             << " | " << m.flow.flips << " | " << m.flow.max_curvature_error << " | " << cell(median(cpu)) << " | "
-            << cell(median(wall)) << " | " << cell(median(in_pipeline)) << " | " << cell(median(floor)) << " | " << cell(median(cpu) / median(floor)) << " | "
-            << cell(peak_mebibytes()) << " |" << std::endl;
+            << cell(median(wall)) << " | " << cell(median(in_pipeline)) << " | " << cell(median(floor)) << " | "
+            << cell(median(cpu) / median(floor)) << " | " << cell(peak_mebibytes()) << " |" << std::endl;
   if (m.flow.max_curvature_error > curvature_tolerance) throw Error("the flow did not reach its tolerance");
   if (!std::isnan(c.target))
     targets.add_seconds("cone metric to 1e-10, " + std::to_string(input.number_of_vertices()) + " vertices, genus "

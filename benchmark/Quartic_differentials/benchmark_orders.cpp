@@ -30,7 +30,8 @@ struct Order
   const char* name;
   int         ordering;   // CHOLMOD's number; -1: what CHOLMOD does by itself
 };
-const Order orders[] = {{"CHOLMOD's choice", -1}, {"minimum degree (AMD)", CHOLMOD_AMD}, {"nested dissection (METIS)", CHOLMOD_METIS}};
+const Order orders[] = {{"CHOLMOD's choice", -1}, {"minimum degree (AMD)", CHOLMOD_AMD},
+                        {"nested dissection (METIS)", CHOLMOD_METIS}};
 
 // A positive definite matrix of the pattern of the Laplacian, without the row and column of the first vertex.
 Matrix graph_laplacian(const Intrinsic_triangulation& t)

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/Quartic_differential.h>
+#include <CGAL/Quartic_differentials/divisor.h>
 
 #include <cmath>
 
@@ -119,11 +120,9 @@ std::string defect_of_divisor(const Quartic_differential& q)
   }
   for (Vertex v : q.triangulation.vertices())
     if (q.order[v] != 0 && !listed[v]) return vertex_name(v) + " has an order but is not listed as a singularity";
-  const int curves = q.triangulation.number_of_boundary_curves();
-  const int right_degree = 8 * q.triangulation.genus() - 8 + 4 * curves;
-  if (degree != right_degree)
-    return "the degree is " + std::to_string(degree) + " instead of 8g - 8" + (curves == 0 ? "" : " + 4b") + " = "
-         + std::to_string(right_degree);
+  if (const int right_degree = required_degree(q.triangulation); degree != right_degree)
+    return "the degree is " + std::to_string(degree) + " instead of 8g - 8"
+         + (q.triangulation.has_boundary() ? " + 4b" : "") + " = " + std::to_string(right_degree);
   return {};
 }
 

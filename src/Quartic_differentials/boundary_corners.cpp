@@ -3,7 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Quartic_differentials/boundary_corners.h>
-#include <CGAL/Quartic_differentials/internal/geodesic_disk.h>
+
+#include <boost/geometry/algorithms/simplify.hpp>
+#include <boost/geometry/geometries/linestring.hpp>
+#include <boost/geometry/geometries/register/point.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +15,19 @@
 #include <cstddef>
 #include <cstdlib>
 #include <vector>
+
+namespace {
+
+// A vertex of an unrolled curve, for boost.
+struct Numbered_place
+{
+  double      x, y;
+  std::size_t vertex;
+};
+
+} // namespace
+
+BOOST_GEOMETRY_REGISTER_POINT_2D(Numbered_place, double, boost::geometry::cs::cartesian, x, y)
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -99,20 +116,15 @@ private:
   double m_short_edge;
 };
 
-// Douglas and Peucker's algorithm: marks the vertices between i and k that are needed.
+// The vertices from i to k that are needed to stay within a distance of the curve (Douglas and Peucker), without k.
 void simplify(const std::vector<Complex>& place, std::size_t i, std::size_t k, double allowed,
-              std::vector<char>& needed)
+              std::vector<std::size_t>& kept)
 {
-  double farthest = allowed;
-  std::size_t at = i;
-  for (std::size_t j = i + 1; j < k; ++j) {
-    const double d = std::abs(internal::nearest_on_segment(place[i] - place[j], place[k] - place[j]));
-    if (d > farthest) { farthest = d; at = j; }
-  }
-  if (at == i) return;
-  needed[at] = true;
-  simplify(place, i, at, allowed, needed);
-  simplify(place, at, k, allowed, needed);
+  boost::geometry::model::linestring<Numbered_place> line, needed;
+  for (std::size_t j = i; j <= k; ++j) line.push_back({place[j].real(), place[j].imag(), j});
+  boost::geometry::simplify(line, needed, allowed);
+  for (const Numbered_place& p : needed)
+    if (p.vertex != k) kept.push_back(p.vertex);
 }
 
 // the vertices of the simplified curve, in order; the first vertex is among them
@@ -120,18 +132,13 @@ std::vector<std::size_t> simplified(const Unrolled_curve& c)
 {
   const double allowed = c.in_short_edges(deviation, least_deviation, most_deviation);
   const std::size_t n = c.edges.size();
-  std::vector<char> needed(n + 1, false);
   std::size_t opposite = 0;   // farthest from the first one: the curve is, nearly, closed
   for (std::size_t i = 1; i < n; ++i)
     if (std::abs(c.place[i]) > std::abs(c.place[opposite])) opposite = i;
-  needed[0] = needed[opposite] = true;
-  if (opposite != 0) {
-    simplify(c.place, 0, opposite, allowed, needed);
-    simplify(c.place, opposite, n, allowed, needed);
-  }
+  if (opposite == 0) return {0};
   std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < n; ++i)
-    if (needed[i]) kept.push_back(i);
+  simplify(c.place, 0, opposite, allowed, kept);
+  simplify(c.place, opposite, n, allowed, kept);
   return kept;
 }
 

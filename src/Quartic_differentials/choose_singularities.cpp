@@ -9,6 +9,7 @@
 #include <CGAL/Quartic_differentials/internal/Moving_divisor.h>
 #include <CGAL/Quartic_differentials/internal/Singularity_search.h>
 #include <CGAL/Quartic_differentials/internal/boundary_walk.h>
+#include <CGAL/Quartic_differentials/internal/counted.h>
 #include <CGAL/Quartic_differentials/internal/distortion_descent.h>
 #include <CGAL/Quartic_differentials/internal/vertex_places.h>
 
@@ -66,7 +67,7 @@ struct Counts
 std::string with_boundary(const Intrinsic_triangulation& t)
 {
   const int b = t.number_of_boundary_curves();
-  return b == 0 ? "" : " with " + std::to_string(b) + (b == 1 ? " boundary curve" : " boundary curves");
+  return b == 0 ? "" : " with " + internal::counted(b, "boundary curve");
 }
 
 bool only_corners(const Divisor& divisor)
@@ -118,7 +119,8 @@ public:
          const Singularity_choice_options& options, const Legalization_options& legalization,
          const Distortion_options& descent, Visitor& visitor)
     : m_surface(s), m_map(s.delaunay, s.homology.cochains, s.forms), m_distortion(s.delaunay, s.laplacian, mass),
-      m_given(given), m_options(options), m_legalization(legalization), m_descent(descent), m_visitor(visitor), m_silent(visitor),
+      m_given(given), m_options(options), m_legalization(legalization), m_descent(descent), m_visitor(visitor),
+      m_silent(visitor),
       m_search(m_distortion, m_map, given.size(), m_options, m_descent, m_silent),
       m_counts(counts(m_map, given, options, legalization)), m_size(std::sqrt(s.delaunay.area()))
   {

@@ -21,7 +21,6 @@ const double pi = CGAL_PI;
 const double smoothing_time = 0.0025;   // of the area
 const double slack = 1.1;               // fewer singularities are worth that factor of the range of log scales
 const double separation = 0.06;         // least distance of the extrema along edges, times sqrt(area)
-const double from_boundary = 0.03;      // likewise
 
 // Picks vertices of extreme curvature, keeping a distance from all that was picked before.
 class Extremum_picker
@@ -29,7 +28,7 @@ class Extremum_picker
 public:
   Extremum_picker(const Intrinsic_triangulation& t, const std::vector<double>& weights)
     : m_t(t), m_radius(separation * std::sqrt(t.area())),
-      m_taken(internal::near_boundary(t, from_boundary * std::sqrt(t.area())))
+      m_taken(internal::near_boundary(t))
   {
     const std::vector<double> k = curvatures(t, corner_angles(t, t.lengths()));
     m_curvature = heat_smoothed(t, weights, smoothing_time * t.area(), Eigen::Map<const Eigen::VectorXd>(k.data(), k.size()));

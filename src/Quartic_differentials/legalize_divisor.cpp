@@ -6,6 +6,7 @@
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Moving_divisor.h>
 #include <CGAL/Quartic_differentials/internal/boundary_walk.h>
+#include <CGAL/Quartic_differentials/internal/counted.h>
 #include <CGAL/Quartic_differentials/internal/near_pairs.h>
 #include <CGAL/Quartic_differentials/legalize_divisor.h>
 
@@ -110,8 +111,8 @@ void check_orders(const Divisor& divisor, int genus, int boundary_curves)
   const int d = degree(divisor), wanted = 8 * genus - 8 + 4 * boundary_curves;
   if (d != wanted && boundary_curves > 0)
     throw Infeasible_divisor_error("the orders of singularities and corners add up to " + std::to_string(d) + ", but on a "
-                                   "surface of genus " + std::to_string(genus) + " with " + std::to_string(boundary_curves)
-                                   + " boundary curves they must add up to 8g-8+4b = " + std::to_string(wanted)
+                                   "surface of genus " + std::to_string(genus) + " with "
+                                   + internal::counted(boundary_curves, "boundary curve") + " they must add up to 8g-8+4b = " + std::to_string(wanted)
                                    + " (Gauss-Bonnet)");
   if (d != wanted)
     throw Infeasible_divisor_error("the degree of the divisor is " + std::to_string(d) + ", but on a surface of genus "
@@ -135,13 +136,10 @@ Nearest_singularities nearest_singularities(const Intrinsic_triangulation& t, co
 Nearest_singularities nearest_singularities(const Intrinsic_triangulation& t, const Divisor& divisor, double radius)
 {
   Nearest_singularities nearest = nearest_singularities(t, locations(divisor), radius);
-  for (std::size_t i = 0; i < divisor.size(); ++i)
-    for (std::size_t k = 0; k < divisor.size(); ++k) {
-      if (i == k || !divisor[i].on_boundary || !divisor[k].on_boundary) continue;
-      const double way = internal::way_along_boundary(t, internal::boundary_place(t, divisor[i].location),
-                                                      internal::boundary_place(t, divisor[k].location), radius);
-      if (way <= radius && way < nearest.distance) nearest = {std::min(i, k), std::max(i, k), way};
-    }
+  internal::visit_near_corners(t, divisor, radius, [&](std::size_t i, std::size_t k, const internal::Boundary_place&,
+                                                       const internal::Boundary_place&, double way) {
+    if (way < nearest.distance) nearest = {std::min(i, k), std::max(i, k), way};
+  });
   return nearest;
 }
 
@@ -186,8 +184,8 @@ Lattice_candidates nearest_lattice_vectors(const internal::Moving_divisor& d, co
   const Eigen::MatrixXd j = d.jacobian();
   require_full_rank(j);
   if (options.norm != Lattice_norm::movement && 2 * periods.pi.rows() != j.rows())
-    throw Infeasible_divisor_error("the norms of C^g belong to closed surfaces and their period matrices: take the norm of "
-                                   "least movement");
+    throw Infeasible_divisor_error("the norms of C^g belong to closed surfaces and their period matrices: take the norm "
+                                   "of least movement");
   Closest_vector_options lattice;
   lattice.count = options.lattice_vectors;
   lattice.radius_factor = 2;

@@ -4,6 +4,7 @@
 
 #include <CGAL/Quartic_differentials/quad_mesh.h>
 
+#include "internal/border_sides.h"
 #include "internal/grid_lines.h"
 
 #include <CGAL/Quartic_differentials/Common_refinement.h>
@@ -17,7 +18,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace CGAL {
@@ -248,12 +248,8 @@ std::string defect(const Quad_mesh& m, const T_mesh& t)
 
 std::vector<std::size_t> next_on_boundary(const Quad_mesh& m)
 {
-  std::set<std::pair<std::size_t, std::size_t>> sides;
-  for (const auto& quad : m.quads)
-    for (int k = 0; k < 4; ++k) sides.insert({quad[k], quad[(k + 1) % 4]});
   std::vector<std::size_t> result(m.points.size(), none);
-  for (const auto& [v, w] : sides)
-    if (sides.count({w, v}) == 0) result[v] = w;
+  for (const auto& [v, w] : internal::border_sides(m.quads)) result[v] = w;
   return result;
 }
 

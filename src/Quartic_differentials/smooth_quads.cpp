@@ -9,6 +9,8 @@
 #include <CGAL/Quartic_differentials/internal/Quad_shape.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
 
+#include <boost/container/static_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -55,8 +57,8 @@ class Smoother
 public:
   Smoother(const Intrinsic_triangulation& input, const Input_surface& surface, Quad_mesh& m)
     : m_surface(surface), m_boundary(input), m_mesh(m), m_next(next_on_boundary(m)),
-      m_previous(m.points.size(), none), m_is_fixed(m.points.size(), false), m_first(m.points.size() + 1, 0), m_corner(4 * m.quads.size()),
-      m_step(m.points.size(), infinity), m_is_active(m.points.size(), true)
+      m_previous(m.points.size(), none), m_is_fixed(m.points.size(), false), m_first(m.points.size() + 1, 0),
+      m_corner(4 * m.quads.size()), m_step(m.points.size(), infinity), m_is_active(m.points.size(), true)
   {
     for (const auto& quad : m.quads)
       for (std::size_t v : quad) ++m_first[v + 1];
@@ -218,7 +220,7 @@ private:
   }
 
   // of the search, unit vectors
-  std::vector<Vector_3> directions_at(std::size_t v) const
+  boost::container::static_vector<Vector_3, directions> directions_at(std::size_t v) const
   {
     if (is_on_boundary(v)) {
       const Vector_3 along = m_boundary.direction(m_place[v].at);
@@ -227,7 +229,7 @@ private:
     const Vector_3 n = m_place[v].normal;
     const Vector_3 x = unit(std::abs(n.x()) < 0.6 ? Vector_3(0, n.z(), -n.y()) : Vector_3(-n.z(), 0, n.x()));
     const Vector_3 y = CGAL::cross_product(n, x);
-    std::vector<Vector_3> result;
+    boost::container::static_vector<Vector_3, directions> result;
     for (int k = 0; k < directions; ++k) {
       const double angle = 2 * CGAL_PI * k / directions;
       result.push_back(std::cos(angle) * x + std::sin(angle) * y);
@@ -249,7 +251,7 @@ private:
     return false;
   }
 
-  const Input_surface&     m_surface;
+  const Input_surface&          m_surface;
   const internal::Boundary_ways m_boundary;
   Quad_mesh&               m_mesh;
   std::vector<std::size_t> m_next, m_previous;           // by vertex: its neighbours along the boundary

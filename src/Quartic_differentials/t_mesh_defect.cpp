@@ -190,7 +190,8 @@ std::int64_t boundary_length(const Quartic_differential& q)
 std::string defect_of_sums(const T_mesh& t, const Quartic_differential& q)
 {
   const long chi = t.euler_characteristic();
-  if (chi != 2 - 2 * q.triangulation.genus() - q.triangulation.number_of_boundary_curves()) return "the Euler characteristic is " + std::to_string(chi);
+  if (chi != 2 - 2 * q.triangulation.genus() - q.triangulation.number_of_boundary_curves())
+    return "the Euler characteristic is " + std::to_string(chi);
   std::int64_t on_boundary = 0;
   for (const T_mesh::Arc& arc : t.arcs) on_boundary += arc.on_boundary ? arc.length : 0;
   if (on_boundary != boundary_length(q)) return "the arcs on the boundary do not have its length";

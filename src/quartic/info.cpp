@@ -7,6 +7,7 @@
 #include "report.h"
 
 #include <CGAL/Quartic_differentials/IO/read_surface.h>
+#include <CGAL/Quartic_differentials/internal/counted.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 
 #include <CLI/CLI.hpp>
@@ -50,12 +51,6 @@ void print_loops(std::ostream& out, const Handle_tunnel_loops& loops)
         << " edges" << (loops.loops[k].simple ? "" : ", not simple") << '\n';
 }
 
-std::string boundary_text(int curves)
-{
-  if (curves == 0) return "closed";
-  return std::to_string(curves) + (curves == 1 ? " boundary curve" : " boundary curves");
-}
-
 void info(const Info_options& options)
 {
   Progress progress(options.quiet);
@@ -70,12 +65,13 @@ void info(const Info_options& options)
     return;
   }
   const int curves = input.number_of_boundary_curves();
-  std::cout << "  surface           " << boundary_text(curves) << ", genus " << input.genus() << ", " << input.number_of_vertices() << " vertices, "
-            << input.number_of_edges() << " edges, " << input.number_of_faces() << " faces, area " << input.area() << '\n';
+  std::cout << "  surface           " << (curves == 0 ? "closed" : internal::counted(curves, "boundary curve")) << ", genus "
+            << input.genus() << ", " << input.number_of_vertices() << " vertices, " << input.number_of_edges() << " edges, "
+            << input.number_of_faces() << " faces, area " << input.area() << '\n';
   for (const std::string& note : facts.notes) std::cout << "  note              " << note << '\n';
-  const int degree = 8 * input.genus() - 8 + 4 * curves;
-  if (curves == 0) std::cout << "  singularities     orders must add up to 8g-8 = " << degree << '\n';
-  else std::cout << "  singularities     orders, and numbers of quads at corners less 2, must add up to 8g-8+4b = " << degree << '\n';
+  std::cout << "  singularities     orders" << (curves == 0 ? " must add up to 8g-8 = "
+                                                           : ", and numbers of quads at corners less 2, must add up to 8g-8+4b = ")
+            << required_degree(input) << '\n';
   if (surface.loops) print_loops(std::cout, *surface.loops);
   if (input.genus() > 0 && curves == 0) print_period_matrix(std::cout, surface.periods);
 }

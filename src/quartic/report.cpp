@@ -43,8 +43,8 @@ Json input_report(const Run_facts& facts)
 {
   const Intrinsic_triangulation& t = *facts.input;
   return {{"mesh", facts.mesh}, {"vertices", t.number_of_vertices()}, {"edges", t.number_of_edges()},
-          {"faces", t.number_of_faces()}, {"genus", t.genus()}, {"boundary", t.number_of_boundary_curves()}, {"area", t.area()},
-          {"embedded", t.is_embedded()}, {"notes", facts.notes}};
+          {"faces", t.number_of_faces()}, {"genus", t.genus()}, {"boundary", t.number_of_boundary_curves()},
+          {"area", t.area()}, {"embedded", t.is_embedded()}, {"notes", facts.notes}};
 }
 
 // the loops of the canonical basis, as vertices of the input one after the other
@@ -223,9 +223,9 @@ Json t_mesh_report(const T_mesh& t)
   std::map<T_mesh::Node_kind, int> count;
   for (const T_mesh::Node& n : t.nodes) ++count[n.kind];
   Json report = {{"grid_exponent", t.grid_exponent}, {"nodes", t.nodes.size()}, {"arcs", t.arcs.size()},
-          {"patches", t.patches.size()}, {"singularities", count[T_mesh::Node_kind::singularity]},
-          {"t_junctions", count[T_mesh::Node_kind::t_junction]}, {"crossings", count[T_mesh::Node_kind::crossing]},
-          {"meetings", count[T_mesh::Node_kind::meeting]}};
+                 {"patches", t.patches.size()}, {"singularities", count[T_mesh::Node_kind::singularity]},
+                 {"t_junctions", count[T_mesh::Node_kind::t_junction]}, {"crossings", count[T_mesh::Node_kind::crossing]},
+                 {"meetings", count[T_mesh::Node_kind::meeting]}};
   if (count[T_mesh::Node_kind::corner] > 0) report["corners"] = count[T_mesh::Node_kind::corner];
   return report;
 }
@@ -259,14 +259,19 @@ Json splines_report(const Quads& quads)
           {"sine_of_angle", {{"min", q.least_sine}, {"mean", q.mean_sine}}}};
 }
 
+Json by_number(const std::map<std::size_t, std::size_t>& counts)
+{
+  Json report = Json::object();
+  for (const auto& [number, count] : counts) report[std::to_string(number)] = count;
+  return report;
+}
+
 Json quads_report(const Quads& quads)
 {
   const Quantization& q = quads.quantization;
   const Quad_quality& quality = quads.quality;
-  Json irregular = Json::object();
-  for (const auto& [valence, number] : quality.irregular_vertices) irregular[std::to_string(valence)] = number;
   Json report = {{"target", q.target}, {"quads", quads.mesh.quads.size()}, {"vertices", quads.mesh.points.size()},
-                 {"patches", quality.patches}, {"irregular_vertices", irregular},
+                 {"patches", quality.patches}, {"irregular_vertices", by_number(quality.irregular_vertices)},
                  {"scaled_jacobian", {{"min", quality.scaled_jacobian.least}, {"mean", quality.scaled_jacobian.mean}}},
                  {"angle_degrees", {{"min", quality.angle.least}, {"max", quality.angle.most},
                                     {"mean_deviation_from_90", quality.angle_deviation}}},
@@ -278,6 +283,7 @@ Json quads_report(const Quads& quads)
                  {"quantization", {{"method", name(q.method)}, {"optimal", q.optimal}, {"cost", q.cost},
                                    {"lower_bound", q.lower_bound}, {"scale", q.scale}, {"block_size", q.block_size},
                                    {"cuts", q.cuts}, {"programs_solved", q.solves}, {"seconds", q.seconds}}}};
+  if (!quality.corners.empty()) report["corners"] = by_number(quality.corners);
   if (!q.shortfall.empty()) report["shortfall"] = q.shortfall;
   if (const Smoothing_report& s = quads.smoothing; !s.history.empty())
     report["smoothing"] = {{"sweeps", s.history.size() - 1}, {"seconds", s.seconds},

@@ -267,6 +267,8 @@ void run(const Run_options& options)
     run(options, [&](std::vector<std::string>& notes) { return read_surface(options.mesh, notes); });
     return;
   }
+  if (options.corners != "auto" && options.corners != "none")
+    throw CLI::ExcludesError("--components each", "--corners FILE, which has the corners of one surface");
   std::vector<Surface_component> components = read_surface_components(options.mesh);
   prepare_folder(options.folder);
   run_components(options.mesh, std::move(components), options.folder, options.quiet,

@@ -10,6 +10,7 @@
 #include <CGAL/Quartic_differentials/branched_cover.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/internal/Text_writer.h>
+#include <CGAL/Quartic_differentials/internal/counted.h>
 #include <CGAL/Quartic_differentials/internal/scientific.h>
 #include <CGAL/Quartic_differentials/sample_boundaries.h>
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
@@ -53,7 +54,7 @@ void say(const Sample_options& options, const Intrinsic_triangulation& t)
 {
   std::cout << options.file << ": genus " << t.genus() << ", ";
   if (const int b = t.number_of_boundary_curves(); b > 0)
-    std::cout << b << (b == 1 ? " boundary curve, " : " boundary curves, ");
+    std::cout << internal::counted(b, "boundary curve") << ", ";
   std::cout << t.number_of_vertices() << " vertices, "
             << t.number_of_faces() << " faces\n";
 }

@@ -4,9 +4,13 @@
 
 #include "report.h"
 
+#include <CGAL/Quartic_differentials/internal/counted.h>
+
 #include <map>
 #include <ostream>
 #include <sstream>
+
+using CGAL::Quartic_differentials::internal::counted;
 
 namespace {
 
@@ -36,7 +40,7 @@ std::string corners_text(const Json& corners)
   for (const Json& c : corners) ++count[c["quads"].get<int>()];
   std::string text;
   for (const auto& [quads, n] : count)
-    text += (text.empty() ? "" : ", ") + std::to_string(n) + " with " + std::to_string(quads) + (quads == 1 ? " quad" : " quads");
+    text += (text.empty() ? "" : ", ") + std::to_string(n) + " with " + counted(quads, "quad");
   return text.empty() ? "none" : text;
 }
 
@@ -52,7 +56,7 @@ void print_summary(std::ostream& out, const Json& report)
   const Json& input = report["input"];
   const int curves = input["boundary"].get<int>();
   row(out, "surface", "genus " + std::to_string(input["genus"].get<int>()) + ", "
-      + (curves == 0 ? "" : std::to_string(curves) + (curves == 1 ? " boundary curve, " : " boundary curves, "))
+      + (curves == 0 ? "" : counted(curves, "boundary curve") + ", ")
       + std::to_string(input["vertices"].get<std::size_t>()) + " vertices, "
       + std::to_string(input["faces"].get<std::size_t>()) + " faces");
   for (const Json& note : input["notes"]) row(out, "note", note.get<std::string>());

@@ -252,8 +252,8 @@ void check(const Intrinsic_triangulation& input, const Quartic_differential_resu
 int main()
 {
   test_loop();
-  const Intrinsic_triangulation sheet(rectangle(6, 4)), ring(plate(1, 14));
-  check(sheet, run_pipeline(sheet, corners_at(sheet, {{Vertex(0), 1}, {Vertex(6), 1}, {Vertex(34), 1}, {Vertex(28), 1}})));
+  const Intrinsic_triangulation sheet = sheet_of_squares(), ring(plate(1, 14));
+  check(sheet, run_pipeline(sheet, corners_of_sheet(sheet)));
   check(ring, run_pipeline(ring, Divisor()));
   std::mt19937 random(12);
   int checked = 0;

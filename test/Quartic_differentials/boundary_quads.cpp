@@ -241,9 +241,8 @@ void check_damage(const T_mesh& t, const Quad_mesh& m)
 // Surfaces of unit squares come back square by square; their splines have straight sides.
 void test_squares()
 {
-  const Intrinsic_triangulation sheet(rectangle(6, 4)), l(l_with_hole());
-  const Divisor of_sheet = corners_at(sheet, {{Vertex(0), 1}, {Vertex(6), 1}, {Vertex(34), 1}, {Vertex(28), 1}});
-  for (const auto& [input, divisor, squares] : {std::make_tuple(&sheet, of_sheet, 24u),
+  const Intrinsic_triangulation sheet = sheet_of_squares(), l(l_with_hole());
+  for (const auto& [input, divisor, squares] : {std::make_tuple(&sheet, corners_of_sheet(sheet), 24u),
                                                 std::make_tuple(&l, corners_of_l(l), 104u)}) {
     const Quartic_differential_result r = run_pipeline(*input, divisor);
     Quad_options options;

@@ -187,6 +187,8 @@ void check_failures()
 
   CHECK_EQUAL(folder.quartic("run two.off -o none --components all").status, 1);
   CHECK_EQUAL(folder.quartic("run two.off -o none --components each --singularities x.txt").status, 1);
+  const Outcome corners = folder.quartic("run two.off -o none --components each --corners x.txt");
+  CHECK(corners.status == 1 && contains(corners.err, "--corners FILE, which has the corners of one surface"));
   CHECK_EQUAL(folder.quartic("run missing.off -o none --components each").status, 2);
   CHECK(!fs::exists(folder / "none"));
 }

@@ -271,8 +271,8 @@ void exhaustive_search(const std::string& name, int cases, std::size_t least_oth
       cheapest += r.cost <= least + 1e-6;
     }
   }
-  std::cout << "exhaustive search, " << name << ": " << valid << " quantizations and " << broken << " that are none, " << valid_cuts
-            << " valid cuts and " << other_cuts << " others; of " << runs << " results " << cheapest
+  std::cout << "exhaustive search, " << name << ": " << valid << " quantizations and " << broken << " that are none, "
+            << valid_cuts << " valid cuts and " << other_cuts << " others; of " << runs << " results " << cheapest
             << " are the cheapest of the small ones, " << optimal << " proved optimal\n";
   CHECK(valid > 1000 && broken > 1000 && valid_cuts > 1000 && other_cuts >= least_others);
   CHECK(optimal > 20 && cheapest > 20);

@@ -46,8 +46,8 @@ std::vector<Face> faces_that_meet(const Mesh& mesh)
   return faces;
 }
 
-// None that meets another is overlooked, and few are left to a slower test, at most a share of all besides four times those that
-// do meet. Says whether the surface meets itself.
+// None that meets another is overlooked, and few are left to a slower test, at most a share of all besides four times
+// those that do meet. Says whether the surface meets itself.
 bool test(const std::string& name, const Mesh& mesh, double share = 0)
 {
   const Intrinsic_triangulation t(mesh);

@@ -13,6 +13,7 @@
 
 #include <CGAL/Quartic_differentials/abel_jacobi_map.h>
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
+#include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/holomorphic_forms.h>
 #include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/laplacian.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Quartic_differentials/split_obtuse_at_boundary.h>
 
 #include <cmath>
+#include <iostream>
 #include <map>
 #include <string>
 #include <utility>
@@ -81,21 +83,6 @@ inline std::vector<Surface_with_boundary> surfaces_with_boundary()
   return list;
 }
 
-/// a rectangle of unit squares, each cut along a diagonal, with the lower left corner at the origin
-inline Mesh rectangle(int width, int height)
-{
-  Mesh mesh;
-  for (int y = 0; y <= height; ++y)
-    for (int x = 0; x <= width; ++x) mesh.add_vertex(Point_3(x, y, 0));
-  const auto vertex = [&](int x, int y) { return Vertex(static_cast<Mesh::size_type>(y * (width + 1) + x)); };
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      mesh.add_face(vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1));
-      mesh.add_face(vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1));
-    }
-  return mesh;
-}
-
 /// pinned corners at vertices, with their numbers of quads
 inline Divisor corners_at(const Intrinsic_triangulation& t, const std::vector<std::pair<Vertex, int>>& corners)
 {
@@ -104,11 +91,9 @@ inline Divisor corners_at(const Intrinsic_triangulation& t, const std::vector<st
   return divisor;
 }
 
-/// the ten corners of l_with_hole()
-inline Divisor corners_of_l(const Intrinsic_triangulation& t)
+/// the same on a plate of squares, where the vertices have integer coordinates
+inline Divisor corners_at_points(const Intrinsic_triangulation& t, const std::map<std::pair<int, int>, int>& quads)
 {
-  const std::map<std::pair<int, int>, int> quads{{{0, 0}, 1}, {{12, 0}, 1}, {{12, 6}, 1}, {{6, 6}, 3}, {{6, 12}, 1},
-                                                 {{0, 12}, 1}, {{2, 2}, 3}, {{4, 2}, 3}, {{4, 4}, 3}, {{2, 4}, 3}};
   std::vector<std::pair<Vertex, int>> corners;
   for (Vertex v : t.vertices()) {
     const Point_3& p = t.mesh().point(v);
@@ -117,6 +102,19 @@ inline Divisor corners_of_l(const Intrinsic_triangulation& t)
   }
   return corners_at(t, corners);
 }
+
+/// the ten corners of l_with_hole()
+inline Divisor corners_of_l(const Intrinsic_triangulation& t)
+{
+  return corners_at_points(t, {{{0, 0}, 1}, {{12, 0}, 1}, {{12, 6}, 1}, {{6, 6}, 3}, {{6, 12}, 1}, {{0, 12}, 1},
+                               {{2, 2}, 3}, {{4, 2}, 3}, {{4, 4}, 3}, {{2, 4}, 3}});
+}
+
+/// 6 x 4 unit squares
+inline Intrinsic_triangulation sheet_of_squares()
+{ return Intrinsic_triangulation(plate_of_squares(6, 4, [](int, int) { return true; })); }
+inline Divisor corners_of_sheet(const Intrinsic_triangulation& t)
+{ return corners_at_points(t, {{{0, 0}, 1}, {{6, 0}, 1}, {{6, 4}, 1}, {{0, 4}, 1}}); }
 
 /// a surface with boundary up to its Abel-Jacobi map
 struct Prepared_surface
@@ -249,6 +247,16 @@ inline Divisor random_divisor(const Intrinsic_triangulation& t, const std::vecto
   return divisor;
 }
 
+/// for every boundary curve the numbers of quads at its corners
+inline std::vector<std::vector<int>> random_corners(int curves, std::mt19937& random)
+{
+  static const std::vector<std::vector<int>> lists{{}, {1, 1, 1, 1}, {3, 3}, {3}, {1, 1, 3, 3}, {1, 3}, {1, 1, 1, 1, 1, 1},
+                                                   {4}, {1, 1, 1, 1, 3, 3}, {5, 1}};
+  std::vector<std::vector<int>> corners;
+  for (int c = 0; c < curves; ++c) corners.push_back(lists[random() % lists.size()]);
+  return corners;
+}
+
 /// a surface, with the boundary's splits, and a divisor on it
 struct Boundary_case
 {
@@ -260,15 +268,37 @@ struct Boundary_case
 /// random corners on every boundary curve, and random singularities inside
 inline Boundary_case random_case(const Surface_with_boundary& s, std::mt19937& random)
 {
-  const std::vector<std::vector<int>> lists{{}, {1, 1, 1, 1}, {3, 3}, {3}, {1, 1, 3, 3}, {1, 3}, {1, 1, 1, 1, 1, 1}, {4},
-                                            {1, 1, 1, 1, 3, 3}, {5, 1}};
   Boundary_case result{s.name, s.surface, {}};
   split_obtuse_at_boundary(result.surface);
-  std::vector<std::vector<int>> corners;
-  for (int c = 0; c < s.curves; ++c) corners.push_back(lists[random() % lists.size()]);
+  const std::vector<std::vector<int>> corners = random_corners(s.curves, random);
   result.divisor = random_divisor(result.surface, corners, static_cast<int>(random() % 3), random);
   return result;
 }
+
+/// How runs end, counted.
+struct Outcomes
+{
+  int reached = 0, infeasible = 0, numerical = 0;
+
+  /// runs a case, which returns whether it came to its end; reasons why not are said
+  template <class Case>
+  void add(Case run)
+  {
+    try {
+      ++(run() ? reached : numerical);
+    } catch (const Infeasible_divisor_error& e) {
+      std::cout << e.what() << std::endl;
+      ++infeasible;
+    } catch (const Numerical_error& e) {
+      std::cout << e.what() << std::endl;
+      ++numerical;
+    }
+  }
+  int all() const { return reached + infeasible + numerical; }
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Outcomes& o)
+{ return out << o.reached << " reached, " << o.infeasible << " refused, " << o.numerical << " not reached"; }
 
 } // namespace Quartic_test
 

@@ -4,6 +4,8 @@
 
 #include "picture_scenes.h"
 
+#include "../internal/border_sides.h"
+
 #include <CGAL/Quartic_differentials/internal/checkerboard.h>
 #include <CGAL/Quartic_differentials/internal/diagonal.h>
 #include <CGAL/Quartic_differentials/internal/different_colours.h>
@@ -70,17 +72,11 @@ void add_singularities(Scene& scene, const std::vector<Marked_point>& singularit
   for (const Marked_point& s : singularities) scene.balls.push_back({s.point, radius, singularity_colour(s.order)});
 }
 
-// The sides of triangles that are the side of no other triangle.
 void add_boundary(Scene& scene)
 {
-  std::vector<std::pair<std::size_t, std::size_t>> sides;
-  for (const Triangle& t : scene.triangles)
-    for (int k = 0; k < 3; ++k) sides.emplace_back(t[k], t[(k + 1) % 3]);
-  std::sort(sides.begin(), sides.end());
   const double width = border_width * diagonal(scene.points);
-  for (const auto& [v, w] : sides)
-    if (!std::binary_search(sides.begin(), sides.end(), std::make_pair(w, v)))
-      scene.lines.push_back({{scene.points[v], scene.points[w]}, width, ink, false});
+  for (const auto& [v, w] : internal::border_sides(scene.triangles))
+    scene.lines.push_back({{scene.points[v], scene.points[w]}, width, ink, false});
 }
 
 double flat_area(const std::vector<std::array<Eigen::Vector2d, 3>>& uv)

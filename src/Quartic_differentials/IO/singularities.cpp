@@ -5,16 +5,14 @@
 #include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/IO/singularities.h>
 #include <CGAL/Quartic_differentials/exceptions.h>
+#include <CGAL/Quartic_differentials/internal/Nearest_boundary_point.h>
 #include <CGAL/Quartic_differentials/internal/Nearest_point.h>
 
-#include <algorithm>
 #include <cmath>
 #include <istream>
-#include <limits>
 #include <ostream>
 #include <sstream>
 #include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -81,32 +79,6 @@ private:
   std::string   m_what, m_number;
 };
 
-// Finds the point of the boundary that is nearest to a given one in space.
-class Nearest_on_boundary
-{
-public:
-  explicit Nearest_on_boundary(const Intrinsic_triangulation& t) : m_t(t), m_curves(t.boundary_curves()) {}
-
-  Surface_point operator()(const Point_3& p) const
-  {
-    Halfedge nearest = Mesh::null_halfedge();
-    double fraction = 0, least = std::numeric_limits<double>::infinity();
-    for (const std::vector<Halfedge>& curve : m_curves)
-      for (Halfedge h : curve) {
-        const Point_3 a = m_t.mesh().point(m_t.source(h));
-        const Vector_3 edge = m_t.mesh().point(m_t.target(h)) - a;
-        const double f = std::clamp(((p - a) * edge) / edge.squared_length(), 0.0, 1.0);
-        const double d = CGAL::squared_distance(p, a + f * edge);
-        if (d < least) { nearest = h; fraction = f; least = d; }
-      }
-    return on_edge(m_t, nearest, fraction);
-  }
-
-private:
-  const Intrinsic_triangulation&     m_t;
-  std::vector<std::vector<Halfedge>> m_curves;
-};
-
 void write_line(std::ostream& out, const Intrinsic_triangulation& surface, const Singularity& s, int number)
 { out << position_on_input(surface, s.location) << ' ' << number << (s.pinned ? " pinned\n" : "\n"); }
 
@@ -135,9 +107,9 @@ Divisor read_corners(std::istream& in, const Intrinsic_triangulation& surface)
   const Point_reader reader(in, "corners", "m");
   reader.require_embedded(surface);
   if (!surface.has_boundary())
-    throw Infeasible_divisor_error("corners are given, but the surface is closed: there is no boundary on which they could "
-                                   "lie");
-  const Nearest_on_boundary nearest(surface);
+    throw Infeasible_divisor_error("corners are given, but the surface is closed: there is no boundary on which they "
+                                   "could lie");
+  const internal::Nearest_boundary_point nearest(surface);
   const double size = std::sqrt(surface.area());
   Divisor corners;
   reader.read([&](const Numbered_point& p) {

@@ -4,9 +4,9 @@
 
 #include "Cell_forest.h"
 
-#include <functional>
+#include <CGAL/Quartic_differentials/internal/shortest_path_tree.h>
+
 #include <limits>
-#include <queue>
 #include <utility>
 
 namespace CGAL {
@@ -16,32 +16,6 @@ namespace internal {
 namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
-
-// Dijkstra's algorithm from a new site, which takes what is nearer to it than to all others.
-void grow(const Intrinsic_triangulation& t, Vertex site, double radius, Cell_forest& forest)
-{
-  using Item = std::pair<double, Vertex>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  forest.distance[site] = 0;
-  queue.push({0, site});
-  while (!queue.empty()) {
-    const auto [d, v] = queue.top();
-    queue.pop();
-    if (d > forest.distance[v]) continue;
-    const Halfedge first = t.halfedge_from(v);
-    Halfedge h = first;
-    do {
-      const Vertex w = t.target(h);
-      const double through = d + t.length(h);
-      if (through < forest.distance[w] && through <= radius) {
-        forest.distance[w] = through;
-        forest.parent[w] = h;
-        queue.push({through, w});
-      }
-      h = t.next_around_source(h);
-    } while (h != first);
-  }
-}
 
 // Cells follow from the trees. (A vertex whose distance did not change by rounding has kept its parent, not its site.)
 void name_cells(const Intrinsic_triangulation& t, Cell_forest& forest)
@@ -73,7 +47,7 @@ Cell_forest cells_within(const Intrinsic_triangulation& t, double radius)
   for (Vertex v : t.vertices()) {
     if (forest.distance[v] < infinity) continue;
     forest.sites.push_back(v);
-    grow(t, v, radius, forest);
+    grow_shortest_paths(t, t.lengths(), v, radius, forest.distance, forest.parent, [](Vertex) {});
   }
   name_cells(t, forest);
   return forest;

@@ -24,7 +24,6 @@ const double quarter_turn = CGAL_PI / 2;
 // distances, times sqrt(area)
 const double from_singularities = 0.04;   // of a new one
 const double between_extrema    = 0.12;   // of the places looked at for a new one
-const double from_boundary      = 0.03;
 const double merge_distance     = 0.05;
 const int    extrema_of_each_sign = 3;
 const int    pairs_tried = 2;
@@ -48,7 +47,7 @@ Singularity_search::Singularity_search(const Area_distortion& distortion, const 
                                        Visitor& visitor)
   : m_distortion(distortion), m_map(map), m_t(distortion.triangulation()), m_kept(kept), m_options(options),
     m_descent(descent), m_visitor(visitor), m_size(std::sqrt(m_t.area())),
-    m_near_boundary(near_boundary(m_t, from_boundary * m_size))
+    m_near_boundary(near_boundary(m_t))
 {}
 
 // The vertices where sign * w is least, apart from each other, from the singularities and from the boundary.

@@ -166,7 +166,8 @@ Eigen::MatrixXd Sparse_cholesky::solve(const Eigen::Ref<const Eigen::MatrixXd>& 
 {
   const One_thread one_thread;
   cholmod_dense right = view_of(b);
-  if (!cholmod_solve2(CHOLMOD_A, m_factor, &right, nullptr, &m_solution, nullptr, &m_workspace[0], &m_workspace[1], &m_common))
+  if (!cholmod_solve2(CHOLMOD_A, m_factor, &right, nullptr, &m_solution, nullptr, &m_workspace[0], &m_workspace[1],
+                      &m_common))
     throw Numerical_error("a linear system could not be solved: there is not enough memory");
   return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(m_solution->x), b.rows(), b.cols());
 }

@@ -152,21 +152,6 @@ bool stagnates(const std::vector<Distortion_step>& h, double enough)
   return h.size() > 5 && h[h.size() - 6].objective - h.back().objective < enough * h.back().objective;
 }
 
-// Adds the ways between corners along the boundary, of length up to `distance`: in the frame of the face of the first.
-template <class Visit>
-void visit_near_corners(const Intrinsic_triangulation& t, const Divisor& divisor, double distance, Visit visit)
-{
-  for (std::size_t i = 0; i < divisor.size(); ++i)
-    for (std::size_t k = 0; k < divisor.size(); ++k) {
-      if (i == k || !divisor[i].on_boundary || !divisor[k].on_boundary) continue;
-      const Boundary_place from = boundary_place(t, divisor[i].location), to = boundary_place(t, divisor[k].location);
-      const double way = way_along_boundary(t, from, to, distance);
-      if (way > distance) continue;
-      visit(i, k, way * boundary_direction(t, from.halfedge));
-      visit(k, i, -way * boundary_direction(t, to.halfedge));
-    }
-}
-
 // of corners only the part along the boundary is left
 void project_on_boundary(const Intrinsic_triangulation& t, const Divisor& divisor, Eigen::VectorXd& gradient)
 {
@@ -188,7 +173,11 @@ Distance_guard distance_guard(const Intrinsic_triangulation& t, const Divisor& d
     if (!is_new && std::abs(way) < std::abs(known->second)) known->second = way;
   };
   visit_near_pairs(t, locations(divisor), distance, note);
-  visit_near_corners(t, divisor, distance, note);
+  visit_near_corners(t, divisor, distance, [&](std::size_t i, std::size_t k, const Boundary_place& from,
+                                               const Boundary_place& to, double way) {
+    note(i, k, way * boundary_direction(t, from.halfedge));
+    note(k, i, -way * boundary_direction(t, to.halfedge));
+  });
   Distance_guard guard{0, Eigen::VectorXd::Zero(2 * divisor.size())};
   for (const auto& [pair, way] : shortest) {
     const double d = std::abs(way), missing = 1 - d / distance;

@@ -5,6 +5,7 @@
 #include <CGAL/Quartic_differentials/internal/vertex_places.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -37,8 +38,9 @@ void Taken_vertices::take(Vertex v, double distance)
   });
 }
 
-Taken_vertices near_boundary(const Intrinsic_triangulation& t, double distance)
+Taken_vertices near_boundary(const Intrinsic_triangulation& t)
 {
+  const double distance = 0.03 * std::sqrt(t.area());
   Taken_vertices near(t);
   for (const auto& curve : t.boundary_curves())
     for (Halfedge h : curve) near.take(t.source(h), distance);

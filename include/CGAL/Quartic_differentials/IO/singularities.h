@@ -29,7 +29,7 @@ void write_singularities(std::ostream& out, const Divisor& divisor, const Intrin
 /// \throws Infeasible_divisor_error naming the line that cannot be read, that has m < 1 or m = 2, which is no corner,
 ///         or whose point is farther from the boundary than 0.05 * sqrt(area); or if `surface` is not embedded, or has no
 ///         boundary
-/// Complexity: linear in the length of the boundary for every line.
+/// Complexity: O(n) to build a search tree of the boundary, O(log n) a line.
 Divisor read_corners(std::istream& in, const Intrinsic_triangulation& surface);
 
 /// writes the corners of a divisor in the form that `read_corners` reads, with coordinates that read back to the same

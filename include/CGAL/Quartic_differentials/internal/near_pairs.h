@@ -6,11 +6,14 @@
 #define CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_NEAR_PAIRS_H
 
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
+#include <CGAL/Quartic_differentials/divisor.h>
+#include <CGAL/Quartic_differentials/internal/boundary_walk.h>
 #include <CGAL/Quartic_differentials/internal/geodesic_disk.h>
 #include <CGAL/Quartic_differentials/internal/surface_walk.h>
 
 #include <algorithm>
 #include <complex>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -39,6 +42,22 @@ void visit_near_pairs(const Intrinsic_triangulation& t, const std::vector<Surfac
         if (std::abs(way) <= radius) visit(i, at->second, way);
       }
     });
+}
+
+/// calls `visit(i, k, from, to, way)` for every way along the boundary, with the surface on the left, of length up to
+/// `radius` from a corner i of a divisor to a corner k, with their places. Complexity: quadratic in the corners.
+template <class Visit>
+void visit_near_corners(const Intrinsic_triangulation& t, const Divisor& divisor, double radius, Visit visit)
+{
+  std::vector<std::pair<std::size_t, Boundary_place>> corners;
+  for (std::size_t i = 0; i < divisor.size(); ++i)
+    if (divisor[i].on_boundary) corners.emplace_back(i, boundary_place(t, divisor[i].location));
+  for (const auto& [i, from] : corners)
+    for (const auto& [k, to] : corners) {
+      if (i == k) continue;
+      const double way = way_along_boundary(t, from, to, radius);
+      if (way <= radius) visit(i, k, from, to, way);
+    }
 }
 
 } } } // namespace CGAL::Quartic_differentials::internal

@@ -65,8 +65,8 @@ private:
   std::vector<char>              m_taken;
 };
 
-/// the vertices on the boundary, and those within a distance of them along edges
-Taken_vertices near_boundary(const Intrinsic_triangulation& t, double distance);
+/// the vertices on the boundary, and those too near to it for a singularity: within 0.03 * sqrt(area) along edges
+Taken_vertices near_boundary(const Intrinsic_triangulation& t);
 
 } } } // namespace CGAL::Quartic_differentials::internal
 

@@ -4,6 +4,8 @@
 
 #include "output_report.h"
 
+#include <CGAL/Quartic_differentials/internal/counted.h>
+
 #include <algorithm>
 
 namespace CGAL {
@@ -56,7 +58,7 @@ std::string euler_text(const Report& report) { return report.is_closed() ? "2-2g
 std::string degree_text(const Report& report) { return report.is_closed() ? "8g-8" : "8g-8+4b"; }
 
 std::string curves_text(std::size_t n)
-{ return std::to_string(n) + (n == 1 ? " boundary curve" : " boundary curves") + ", as in the report"; }
+{ return internal::counted(n, "boundary curve") + ", as in the report"; }
 
 std::size_t number_of_curves(const Report& report) { return static_cast<std::size_t>(report.boundary_curves); }
 
