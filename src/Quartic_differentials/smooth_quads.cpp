@@ -47,6 +47,7 @@ double unevenness(double a, double b)
 
 const int directions = 8;               // of the pattern search
 const double smallest_gain = 1e-3;      // of E at a move, as a share: smaller moves cost time and gain nothing
+const double smallest_rise = 1e-2;      // of the least scaled Jacobian around a vertex, by a move that raises E
 const double turned_over = -0.5;        // cosine: a normal is against the surface where the surface's own ones agree;
                                         // round a thin tube they cancel, and say nothing
 
@@ -82,6 +83,13 @@ public:
       result.mean += q.least / double(m_mesh.quads.size());
     }
     return result;
+  }
+
+  // from now on vertices also move where that raises the least around them and it is below the guard, whatever E does
+  void raise_least()
+  {
+    m_raises_least = true;
+    std::fill(m_is_active.begin(), m_is_active.end(), true);
   }
 
   // returns the number of moves
@@ -158,7 +166,10 @@ private:
   }
 
   bool is_better(const Quality& a, const Quality& b) const
-  { return a.sum < (1 - smallest_gain) * b.sum && a.least >= std::min(b.least, m_guard); }
+  {
+    if (m_raises_least && b.least < m_guard && a.least > b.least + smallest_rise) return true;
+    return a.sum < (1 - smallest_gain) * b.sum && a.least >= std::min(b.least, m_guard);
+  }
 
   // where v is after a step in its tangent plane, unless that leads through a thin part to its other side; most steps
   // are refused before the nearest point is looked for
@@ -262,6 +273,7 @@ private:
   std::vector<double>      m_step;                       // by vertex: of the pattern search
   std::vector<char>        m_is_active;                  // by vertex: something around it has moved
   double                   m_guard = 0;
+  bool                     m_raises_least = false;
 };
 
 } // namespace
@@ -274,11 +286,22 @@ Smoothing_report smooth_quads(const Intrinsic_triangulation& input, const Smooth
   Smoother smoother(input, surface, m);
   Smoothing_report report;
   report.history.push_back(smoother.measure(0));
-  for (std::size_t k = 0; k < options.sweeps; ++k) {
-    const std::size_t moves = smoother.sweep(std::max(options.guard, report.history.back().least));
-    const Smoothing_sweep before = report.history.back(), after = smoother.measure(moves);
-    report.history.push_back(after);
-    if (after.least - before.least < options.least_gain && after.mean - before.mean < options.least_gain) break;
+  // until some sweeps in a row gain nothing
+  const auto sweep = [&](int patience) {
+    for (int in_vain = 0; in_vain < patience && report.history.size() <= options.sweeps; ) {
+      const Smoothing_sweep before = report.history.back();
+      const std::size_t moves = smoother.sweep(std::max(options.guard, before.least));
+      const Smoothing_sweep after = smoother.measure(moves);
+      report.history.push_back(after);
+      const double gain = std::max(after.least - before.least, after.mean - before.mean);
+      in_vain = gain < options.least_gain ? in_vain + 1 : 0;
+    }
+  };
+  sweep(1);
+  report.lowered = report.history.size() - 1;
+  if (report.history.back().least < options.guard) {
+    smoother.raise_least();
+    sweep(3);
   }
   smoother.store();
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -19,7 +19,7 @@ struct Smoothing_options
 {
   std::size_t sweeps = 40;        ///< at most
   double      guard = 0.6;        ///< a quad whose scaled Jacobian is above may become worse, but not below
-  double      least_gain = 1e-4;  ///< a sweep after which neither the least nor the mean has grown by this is the last
+  double      least_gain = 1e-4;  ///< a sweep gains something if the least or the mean grows by this
 };
 
 /// What a sweep over all vertices has reached. Scaled Jacobians are as in `scaled_jacobian()`, but those of quads that
@@ -36,6 +36,7 @@ struct Smoothing_sweep
 struct Smoothing_report
 {
   std::vector<Smoothing_sweep> history;   ///< the mesh as it was, then after every sweep; `least` never falls
+  std::size_t lowered = 0;                ///< number of the sweeps that only lower the energy; the others raise the least
   double seconds = 0;
 };
 
@@ -46,8 +47,10 @@ struct Smoothing_report
 /// the quads around would be parallelograms, on average, or to the middle of its neighbours, or by a step of a pattern
 /// search. A move is made only if it lowers an energy of the angles and the ratios of edges at the corners of the quads
 /// around, and if the least scaled Jacobian among them stays above the guard or does not fall. The guard is raised to
-/// the mesh's least where that is above it; therefore the least of the mesh never falls. Vertices of the boundary slide
-/// along it by the same rules, each between its two neighbours there; corners stay.
+/// the mesh's least where that is above it; therefore the least of the mesh never falls. After a sweep that gains nothing,
+/// if the mesh's least is still below the guard, moves are also made where the energy grows, if they raise a least below
+/// the guard by a hundredth, until three sweeps in a row gain nothing. Vertices of the boundary slide along it by the
+/// same rules, each between its two neighbours there; corners stay.
 ///
 /// Not promised: that every quad that is turned over is turned back, and that no two parts of the mesh cross. Results
 /// are the same in every run; points are `position_on_input()` of `input_points`.
