@@ -203,6 +203,7 @@ void Laplacian_solver::set_order_of(const Laplacian_solver& similar)
 
 Eigen::MatrixXd Laplacian_solver::solve(const Eigen::MatrixXd& b) const
 {
+  if (b.cols() == 0) return b;   // has no memory whose rows one could take
   Eigen::MatrixXd x(b.rows(), b.cols());
   x.row(0).setZero();
   x.bottomRows(b.rows() - 1) = m_factorization.solve(b.bottomRows(b.rows() - 1));

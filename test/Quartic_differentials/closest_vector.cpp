@@ -371,7 +371,7 @@ Integer_problem random_problem(std::mt19937& random, int n)
   const int most = random() % 2 ? 9 : 2, stretches = random() % 3;
   do {
     for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) p.basis(i, j) = integer(most) << (stretches * j / n);
+      for (int i = 0; i < n; ++i) p.basis(i, j) = integer(most) * (std::int64_t(1) << (stretches * j / n));
   } while (!(triangular_factor(p.basis).diagonal().minCoeff() > 0.5L));   // not singular, and quick to search
   const int granularity = random() % 4 == 0 ? Integer_problem::unit / 2 : 1;
   for (int i = 0; i < n; ++i) p.target[i] = granularity * integer(4 * Integer_problem::unit / granularity);
