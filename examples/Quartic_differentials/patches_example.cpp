@@ -28,7 +28,7 @@ int main(int argc, char** argv)
   const QD::Quartic_differential_result result = QD::quartic_differential(mesh);
   const QD::T_mesh& t = *result.t_mesh;
   QD::Mesh cut = QD::patch_mesh(t, *result.refined);   // a CGAL::Surface_mesh
-  const auto patch = cut.add_property_map<QD::Face, std::size_t>("f:patch").first;   // the one that is there
+  const auto patch = cut.add_property_map<QD::Face, std::uint32_t>("f:patch").first;   // the one that is there
 
   std::vector<std::size_t> faces(t.patches.size(), 0);
   for (QD::Face f : cut.faces()) ++faces[patch[f]];

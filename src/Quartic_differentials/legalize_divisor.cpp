@@ -112,8 +112,8 @@ void check_orders(const Divisor& divisor, int genus, int boundary_curves)
   if (d != wanted && boundary_curves > 0)
     throw Infeasible_divisor_error("the orders of singularities and corners add up to " + std::to_string(d) + ", but on a "
                                    "surface of genus " + std::to_string(genus) + " with "
-                                   + internal::counted(boundary_curves, "boundary curve") + " they must add up to 8g-8+4b = " + std::to_string(wanted)
-                                   + " (Gauss-Bonnet)");
+                                   + internal::counted(boundary_curves, "boundary curve")
+                                   + " they must add up to 8g-8+4b = " + std::to_string(wanted) + " (Gauss-Bonnet)");
   if (d != wanted)
     throw Infeasible_divisor_error("the degree of the divisor is " + std::to_string(d) + ", but on a surface of genus "
                                    + std::to_string(genus) + " it must be 8g-8 = " + std::to_string(wanted)

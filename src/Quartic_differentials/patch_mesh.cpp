@@ -132,10 +132,10 @@ class Patch_mesh_builder
 public:
   Patch_mesh_builder(const T_mesh& t, const Refined_surface& refined)
     : m_t(t), m_refined(refined), m_q(refined.differential), m_charts(m_q),
-      m_patch(m_mesh.add_property_map<Face, std::size_t>("f:patch").first),
+      m_patch(m_mesh.add_property_map<Face, std::uint32_t>("f:patch").first),
       m_input_face(m_mesh.add_property_map<Face, Face>("f:input_face").first),
       m_texture(m_mesh.add_property_map<Halfedge, Point_2>("h:texture").first),
-      m_arc(m_mesh.add_property_map<Edge, std::size_t>("e:arc", static_cast<std::size_t>(-1)).first),
+      m_arc(m_mesh.add_property_map<Edge, std::uint32_t>("e:arc", no_arc).first),
       m_place(m_mesh.add_property_map<Vertex, Surface_point>("v:input_point").first),
       m_order(m_mesh.add_property_map<Vertex, int>("v:singularity_order", 0).first)
   {
@@ -224,7 +224,7 @@ private:
     const Face f = m_mesh.add_face(a.vertex, b.vertex, c.vertex);
     if (f == Mesh::null_face())
       throw Numerical_error("the pieces of face " + std::to_string(piece.face.idx()) + " do not fit their neighbours");
-    m_patch[f] = piece.patch;
+    m_patch[f] = static_cast<std::uint32_t>(piece.patch);
     m_input_face[f] = m_refined.input_face[piece.face];
     const double unit = std::ldexp(1.0, -m_t.grid_exponent);
     for (const Piece_corner& p : {a, b, c})
@@ -249,7 +249,7 @@ private:
       const Vertex to = &s == &arc.path.back() ? vertex(m_t.nodes[arc.to]) : vertex(internal::exit_of(m_q, s));
       const Halfedge h = m_mesh.halfedge(from, to);
       if (h == Mesh::null_halfedge()) throw Numerical_error("arc " + std::to_string(a) + " is no path of edges");
-      m_arc[m_mesh.edge(h)] = a;
+      m_arc[m_mesh.edge(h)] = static_cast<std::uint32_t>(a);
       from = to;
     }
   }
@@ -259,10 +259,10 @@ private:
   const Quartic_differential&                   m_q;
   const internal::Doubled_charts                m_charts;
   Mesh                                          m_mesh;
-  Mesh::Property_map<Face, std::size_t>         m_patch;
+  Mesh::Property_map<Face, std::uint32_t>       m_patch;
   Mesh::Property_map<Face, Face>                m_input_face;
   Mesh::Property_map<Halfedge, Point_2>         m_texture;
-  Mesh::Property_map<Edge, std::size_t>         m_arc;
+  Mesh::Property_map<Edge, std::uint32_t>       m_arc;
   Mesh::Property_map<Vertex, Surface_point>     m_place;
   Mesh::Property_map<Vertex, int>               m_order;
   std::map<std::array<std::int64_t, 4>, Vertex> m_added;   // the vertices that are not the refined surface's

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -265,7 +266,7 @@ std::vector<int> singularity_orders(const Quad_mesh& m, const T_mesh& t)
 Mesh surface_mesh(const Quad_mesh& m, const T_mesh& t)
 {
   Mesh mesh;
-  auto patch = mesh.add_property_map<Face, std::size_t>("f:patch").first;
+  auto patch = mesh.add_property_map<Face, std::uint32_t>("f:patch").first;
   auto place = mesh.add_property_map<Vertex, Surface_point>("v:input_point").first;
   auto order = mesh.add_property_map<Vertex, int>("v:singularity_order", 0).first;
   const std::vector<int> orders = singularity_orders(m, t);
@@ -277,7 +278,7 @@ Mesh surface_mesh(const Quad_mesh& m, const T_mesh& t)
   }
   for (std::size_t f = 0; f < m.quads.size(); ++f) {
     const auto& [a, b, c, d] = m.quads[f];
-    patch[mesh.add_face(vertex(a), vertex(b), vertex(c), vertex(d))] = m.patch[f];
+    patch[mesh.add_face(vertex(a), vertex(b), vertex(c), vertex(d))] = static_cast<std::uint32_t>(m.patch[f]);
   }
   return mesh;
 }

@@ -69,9 +69,9 @@ void info(const Info_options& options)
             << input.genus() << ", " << input.number_of_vertices() << " vertices, " << input.number_of_edges() << " edges, "
             << input.number_of_faces() << " faces, area " << input.area() << '\n';
   for (const std::string& note : facts.notes) std::cout << "  note              " << note << '\n';
-  std::cout << "  singularities     orders" << (curves == 0 ? " must add up to 8g-8 = "
-                                                           : ", and numbers of quads at corners less 2, must add up to 8g-8+4b = ")
-            << required_degree(input) << '\n';
+  std::cout << "  singularities     orders"
+            << (curves == 0 ? " must add up to 8g-8" : ", and numbers of quads at corners less 2, must add up to 8g-8+4b")
+            << " = " << required_degree(input) << '\n';
   if (surface.loops) print_loops(std::cout, *surface.loops);
   if (input.genus() > 0 && curves == 0) print_period_matrix(std::cout, surface.periods);
 }

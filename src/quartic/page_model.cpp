@@ -118,11 +118,11 @@ Json surface_cut_along_arcs(const Intrinsic_triangulation& input, const T_mesh& 
   Shown_surface s;
   Mesh mesh = patch_mesh(t, refined);
   const auto texture = mesh.add_property_map<Halfedge, Point_2>("h:texture").first;   // they are there
-  const auto patch = mesh.add_property_map<Face, std::size_t>("f:patch").first;
-  const auto arc = mesh.add_property_map<Edge, std::size_t>("e:arc").first;
+  const auto patch = mesh.add_property_map<Face, std::uint32_t>("f:patch").first;
+  const auto arc = mesh.add_property_map<Edge, std::uint32_t>("e:arc").first;
   add_mesh(s, mesh, [&](Halfedge h) { return texture[h]; }, [&](Face f) { return patch[f]; });
   for (Edge e : mesh.edges())
-    if (arc[e] != static_cast<std::size_t>(-1)) s.add_piece_of_arc(mesh.vertex(e, 0), mesh.vertex(e, 1));
+    if (arc[e] != no_arc) s.add_piece_of_arc(mesh.vertex(e, 0), mesh.vertex(e, 1));
   add_edges(s, input);
   return s.json(true);
 }

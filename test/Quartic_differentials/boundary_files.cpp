@@ -42,12 +42,12 @@ void check_patch_mesh(const Intrinsic_triangulation& input, const Quartic_differ
   CHECK_EQUAL(cut.number_of_boundary_curves(), input.number_of_boundary_curves());
   CHECK_EQUAL(cut.genus(), input.genus());
   CHECK_NEAR(cut.area(), input.area(), 1e-9 * input.area());
-  const auto arc = m.add_property_map<Edge, std::size_t>("e:arc").first;
+  const auto arc = m.add_property_map<Edge, std::uint32_t>("e:arc").first;
   const auto place = m.add_property_map<Vertex, Surface_point>("v:input_point").first;
-  const auto patch = m.add_property_map<Face, std::size_t>("f:patch").first;
+  const auto patch = m.add_property_map<Face, std::uint32_t>("f:patch").first;
   const auto texture = m.add_property_map<Halfedge, CGAL::Simple_cartesian<double>::Point_2>("h:texture").first;
   for (Edge e : m.edges())
-    CHECK_EQUAL(m.is_border(e), arc[e] != std::size_t(-1) && r.t_mesh->arcs[arc[e]].on_boundary);
+    CHECK_EQUAL(m.is_border(e), arc[e] != no_arc && r.t_mesh->arcs[arc[e]].on_boundary);
   for (Vertex v : m.vertices()) {
     if (!m.is_border(v)) continue;
     CHECK(is_on_boundary(input, place[v]));
@@ -217,8 +217,8 @@ void test_loop()
 {
   Mesh m;
   const auto order = m.add_property_map<Vertex, int>("v:singularity_order", 0).first;
-  const auto arc = m.add_property_map<Edge, std::size_t>("e:arc", std::size_t(-1)).first;
-  m.add_property_map<Face, std::size_t>("f:patch", 0);
+  const auto arc = m.add_property_map<Edge, std::uint32_t>("e:arc", no_arc).first;
+  m.add_property_map<Face, std::uint32_t>("f:patch", 0);
   m.add_property_map<Halfedge, CGAL::Simple_cartesian<double>::Point_2>("h:texture");
   for (const Point_3& p : {Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(-1, 0, 0), Point_3(0, -1, 0)})
     m.add_vertex(p);

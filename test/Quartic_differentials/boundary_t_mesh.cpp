@@ -235,7 +235,6 @@ void test_random_divisors(int cases)
     });
   }
   std::cout << outcomes << std::endl;
-  CHECK_EQUAL(outcomes.all(), cases);
   CHECK(outcomes.reached >= cases * 9 / 10);
   CHECK_EQUAL(outcomes.numerical, 0);
 }

@@ -96,6 +96,14 @@ void order_of_another_surface(std::mt19937& random)
   CHECK_NEAR(residual(torus_b, w, b.solve(rhs), rhs), 0, 1e-9);
 }
 
+void no_right_hand_sides(const Intrinsic_triangulation& t)
+{
+  Laplacian_solver solver;
+  solver.factorize(t, cotangent_weights(t, t.lengths()));
+  const Eigen::MatrixXd x = solver.solve(Eigen::MatrixXd(t.number_of_vertices(), 0));
+  CHECK(x.rows() == static_cast<Eigen::Index>(t.number_of_vertices()) && x.cols() == 0);
+}
+
 void not_positive(const Intrinsic_triangulation& t)
 {
   Weights w = cotangent_weights(t, t.lengths());
@@ -114,6 +122,7 @@ int main()
     make_delaunay(t);
     near_and_far(t, random);
     other_patterns(t, random);
+    no_right_hand_sides(t);
     not_positive(t);
   }
   near_and_far(Intrinsic_triangulation(hyperelliptic(2, 0)), random);         // parallel edges

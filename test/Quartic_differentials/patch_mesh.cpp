@@ -14,6 +14,7 @@
 #include <CGAL/Quartic_differentials/patch_mesh.h>
 #include <CGAL/Quartic_differentials/pipeline.h>
 
+#include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -27,6 +28,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,30 +39,28 @@ namespace {
 
 using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
 
-const std::size_t none = static_cast<std::size_t>(-1);
-
 /// a patch mesh with its property maps
 struct Patches
 {
   Mesh                                      mesh;
-  Mesh::Property_map<Face, std::size_t>     patch;
+  Mesh::Property_map<Face, std::uint32_t>   patch;
   Mesh::Property_map<Face, Face>            input_face;
   Mesh::Property_map<Halfedge, Point_2>     texture;
-  Mesh::Property_map<Edge, std::size_t>     arc;
+  Mesh::Property_map<Edge, std::uint32_t>   arc;
   Mesh::Property_map<Vertex, Surface_point> place;
   Mesh::Property_map<Vertex, int>           order;
 
   explicit Patches(Mesh m)   // add_property_map() finds what is there; CGAL 5 and 6 agree on its result
-    : mesh(std::move(m)), patch(mesh.add_property_map<Face, std::size_t>("f:patch").first),
+    : mesh(std::move(m)), patch(mesh.add_property_map<Face, std::uint32_t>("f:patch").first),
       input_face(mesh.add_property_map<Face, Face>("f:input_face").first),
       texture(mesh.add_property_map<Halfedge, Point_2>("h:texture").first),
-      arc(mesh.add_property_map<Edge, std::size_t>("e:arc").first),
+      arc(mesh.add_property_map<Edge, std::uint32_t>("e:arc").first),
       place(mesh.add_property_map<Vertex, Surface_point>("v:input_point").first),
       order(mesh.add_property_map<Vertex, int>("v:singularity_order").first) {}
 
   Halfedge halfedge(Edge e) const { return mesh.halfedge(e); }
   std::size_t patch_left_of(Halfedge h) const { return patch[mesh.face(h)]; }
-  bool on_arc(Halfedge h) const { return arc[mesh.edge(h)] != none; }
+  bool on_arc(Halfedge h) const { return arc[mesh.edge(h)] != no_arc; }
   /// where h begins and ends in the patch on its left
   Point_2 begin(Halfedge h) const { return texture[mesh.prev(h)]; }
   Point_2 end(Halfedge h) const { return texture[h]; }
@@ -265,6 +265,27 @@ void check_patch_mesh(const Patches& p, const T_mesh& t, const Intrinsic_triangu
   check_obj(p, t);
 }
 
+// CGAL writes it with its numbers, and reads them back.
+void check_ply(const Patches& p)
+{
+  std::stringstream file;
+  CGAL::IO::set_binary_mode(file);
+  CHECK(CGAL::IO::write_PLY(file, p.mesh));
+  Mesh read;
+  std::string comments;
+  CHECK(CGAL::IO::read_PLY(file, read, comments));
+  CHECK_EQUAL(read.number_of_faces(), p.mesh.number_of_faces());
+  const auto [patch, is_new_patch] = read.add_property_map<Face, std::uint32_t>("f:patch");   // finds what was read
+  const auto [arc, is_new_arc] = read.add_property_map<Edge, std::uint32_t>("e:arc");
+  CHECK(!is_new_patch && !is_new_arc);
+  for (Face f : read.faces()) CHECK_EQUAL(patch[f], p.patch[f]);
+  std::size_t on_arcs = 0, read_on_arcs = 0;
+  for (Edge e : p.mesh.edges()) on_arcs += p.arc[e] != no_arc;
+  for (Edge e : read.edges()) read_on_arcs += arc[e] != no_arc;
+  CHECK_EQUAL(read_on_arcs, on_arcs);
+  CHECK(on_arcs > 0);
+}
+
 void sample_surface(const Quartic_test::Named_surface& named)
 {
   Visitor quiet;
@@ -276,6 +297,7 @@ void sample_surface(const Quartic_test::Named_surface& named)
             << result.refined->differential.triangulation.number_of_faces() << " -> " << patches.mesh.number_of_faces()
             << " faces" << std::endl;
   check_patch_mesh(patches, *result.t_mesh, named.surface, *result.refined, true);
+  check_ply(patches);
 }
 
 // Surfaces glued from squares: arcs run along edges, through vertices, and very near to them.

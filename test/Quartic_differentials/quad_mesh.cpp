@@ -64,7 +64,7 @@ Mesh check_quad_mesh(const Quad_mesh& m, const T_mesh& t, const std::vector<int>
   for (const T_mesh::Node& node : t.nodes)
     if (node.order != 0) expected.insert(node.order);
   CHECK(orders == expected);
-  const auto patch = mesh.add_property_map<Face, std::size_t>("f:patch").first;
+  const auto patch = mesh.add_property_map<Face, std::uint32_t>("f:patch").first;
   for (Face f : mesh.faces()) CHECK_EQUAL(patch[f], m.patch[f]);
   return mesh;
 }

@@ -41,7 +41,6 @@ int main()
     });
   }
   std::cout << outcomes << std::endl;
-  CHECK_EQUAL(outcomes.all(), cases);
   CHECK(outcomes.reached >= 30);
   return Quartic_test::result();
 }

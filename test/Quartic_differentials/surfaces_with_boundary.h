@@ -294,7 +294,6 @@ struct Outcomes
       ++numerical;
     }
   }
-  int all() const { return reached + infeasible + numerical; }
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Outcomes& o)

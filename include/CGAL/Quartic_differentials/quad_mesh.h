@@ -67,7 +67,7 @@ std::vector<std::size_t> next_on_boundary(const Quad_mesh& m);
 std::vector<int> singularity_orders(const Quad_mesh& m, const T_mesh& t);
 
 /// the quads as a `Surface_mesh` for applications, with the same indices and the property maps
-/// - `f:patch`, `std::size_t`;
+/// - `f:patch`, `std::uint32_t`, as in `patch_mesh()`;
 /// - `v:input_point`, `Surface_point`: where it is on the input;
 /// - `v:singularity_order`, `int`, as above.
 /// \pre `defect(m, t)` is empty

@@ -12,8 +12,6 @@
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -53,14 +51,8 @@ void write_quads_off(std::ostream& out, const Quad_mesh& m, const T_mesh& t)
 
 void write_quads_ply(std::ostream& out, const Quad_mesh& m, const T_mesh& t)
 {
-  Mesh mesh = surface_mesh(m, t);
-  // PLY has no numbers of 64 bits: CGAL 5.5 makes 32 of them, CGAL 6.0 writes them under a header that says 32
-  auto wide = mesh.add_property_map<Face, std::size_t>("f:patch").first;   // the one that is there
-  mesh.remove_property_map(wide);
-  const auto patch = mesh.add_property_map<Face, std::uint32_t>("f:patch").first;
-  for (Face f : mesh.faces()) patch[f] = static_cast<std::uint32_t>(m.patch[f]);
   CGAL::IO::set_binary_mode(out);
-  CGAL::IO::write_PLY(out, mesh);
+  CGAL::IO::write_PLY(out, surface_mesh(m, t));
 }
 
 void write_quads_vtu(std::ostream& stream, const Quad_mesh& m, const T_mesh& t)

@@ -7,10 +7,12 @@
 #include <CGAL/Quartic_differentials/internal/patch_pieces.h>
 #include <CGAL/Quartic_differentials/internal/require_embedded.h>
 #include <CGAL/Quartic_differentials/internal/t_mesh_nodes.h>
+#include <CGAL/Quartic_differentials/patch_mesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -236,9 +238,9 @@ class Patch_groups
 {
 public:
   explicit Patch_groups(Mesh patches)   // add_property_map() finds what is there
-    : m_mesh(std::move(patches)), m_patch(m_mesh.add_property_map<Face, std::size_t>("f:patch").first),
+    : m_mesh(std::move(patches)), m_patch(m_mesh.add_property_map<Face, std::uint32_t>("f:patch").first),
       m_texture(m_mesh.add_property_map<Halfedge, Point_2>("h:texture").first),
-      m_arc(m_mesh.add_property_map<Edge, std::size_t>("e:arc").first),
+      m_arc(m_mesh.add_property_map<Edge, std::uint32_t>("e:arc").first),
       m_order(m_mesh.add_property_map<Vertex, int>("v:singularity_order").first) {}
 
   void write(Text_writer& out)
@@ -256,7 +258,7 @@ public:
     }
     std::map<std::size_t, std::vector<Edge>> edges;   // by arc
     for (Edge e : m_mesh.edges())
-      if (m_arc[e] != static_cast<std::size_t>(-1)) edges[m_arc[e]].push_back(e);
+      if (m_arc[e] != no_arc) edges[m_arc[e]].push_back(e);
     for (const auto& [arc, members] : edges) {
       out << "g arc_" << arc << "\nl";
       for (Vertex v : polyline(members)) out << ' ' << v.idx() + 1;
@@ -291,7 +293,7 @@ private:
     }
   }
 
-  bool is_on_arc(Halfedge h) const { return m_arc[m_mesh.edge(h)] != static_cast<std::size_t>(-1); }
+  bool is_on_arc(Halfedge h) const { return m_arc[m_mesh.edge(h)] != no_arc; }
   // Between its ends an arc meets no other: a node is where there are not just two edges of arcs, or at a singularity,
   // where both may be of one arc.
   bool is_end(Vertex v, std::size_t arc) const
@@ -323,12 +325,12 @@ private:
     return path;
   }
 
-  Mesh                                   m_mesh;
-  Mesh::Property_map<Face, std::size_t>  m_patch;
-  Mesh::Property_map<Halfedge, Point_2>  m_texture;
-  Mesh::Property_map<Edge, std::size_t>  m_arc;
-  Mesh::Property_map<Vertex, int>        m_order;
-  std::size_t                            m_texture_vertices = 0;
+  Mesh                                    m_mesh;
+  Mesh::Property_map<Face, std::uint32_t> m_patch;
+  Mesh::Property_map<Halfedge, Point_2>   m_texture;
+  Mesh::Property_map<Edge, std::uint32_t> m_arc;
+  Mesh::Property_map<Vertex, int>         m_order;
+  std::size_t                             m_texture_vertices = 0;
 };
 
 } // namespace
