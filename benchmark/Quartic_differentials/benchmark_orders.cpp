@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Times CHOLMOD on the Laplacian of a surface, and of its subdivisions, with different orders of elimination: by these
-// figures src/Quartic_differentials/internal/Sparse_cholesky.cpp chooses one; and without dense blocks, which it always
-// makes. Prints a Markdown table.
+// Times CHOLMOD on the Laplacian of a surface, and of its subdivisions, with different orders of elimination, with and
+// without dense blocks: by these figures src/Quartic_differentials/internal/Sparse_cholesky.cpp chooses. Prints a Markdown
+// table.
 
 #include "measure.h"
 #include "subject.h"

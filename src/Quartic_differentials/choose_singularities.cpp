@@ -199,16 +199,29 @@ private:
   // the fewest singularities that meet the wanted distortion; where none do, those of the best price
   std::optional<Legal_candidate> with_fewest()
   {
-    const double goal = slack * m_options.distortion;
+    for (int times : {0, exchanges})   // exchanges take as long as all else, and are rarely needed
+      if (std::optional<Legal_candidate> legal = with_fewest(slack * m_options.distortion, times)) return legal;
+    return with_best_price();
+  }
+
+  // and fewer where zeros can be merged
+  std::optional<Legal_candidate> with_fewest(double goal, int times)
+  {
     const std::map<int, Candidate> met = m_search.best_by_count();
     for (const auto& [count, candidate] : met) {
-      if (count < m_counts.least || candidate.energy > exchange_gain * goal) continue;
-      const Candidate c = m_search.exchanged(candidate, exchanges);
+      if (count < m_counts.least || candidate.energy > (times == 0 ? goal : exchange_gain * goal)) continue;
+      const Candidate c = m_search.exchanged(candidate, times);
       if (c.energy > goal) continue;
-      const std::optional<Legal_candidate> legal = legal_best(m_search.merged(c), lattice_vectors);
-      if (legal && legal->distortion <= goal) return legal;
+      const std::optional<Legal_candidate> legal = legal_best(c, lattice_vectors);
+      if (legal && legal->distortion > goal) continue;
+      const Candidate merged = m_search.merged(c);
+      if (merged.count() < count) {
+        const std::optional<Legal_candidate> fewer = legal_best(merged, lattice_vectors);
+        if (fewer && fewer->distortion <= goal) return fewer;
+      }
+      if (legal) return legal;
     }
-    return with_best_price();
+    return std::nullopt;
   }
 
   double price(double distortion, std::size_t count) const

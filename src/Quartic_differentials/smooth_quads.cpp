@@ -15,6 +15,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -46,8 +47,11 @@ double unevenness(double a, double b)
 }
 
 const int directions = 8;               // of the pattern search
+const int walks = 16;                   // of every length, in the search that raises the worst quads
 const double smallest_gain = 1e-3;      // of E at a move, as a share: smaller moves cost time and gain nothing
-const double smallest_rise = 1e-2;      // of the least scaled Jacobian around a vertex, by a move that raises E
+const double penalty = 100;             // on the fourth power of what a quad lacks of the guard
+const double shortest_walk = 1. / 16;   // mean edges
+const double golden_angle = (3 - std::sqrt(5.)) * CGAL_PI;   // its multiples nowhere meet
 const double turned_over = -0.5;        // cosine: a normal is against the surface where the surface's own ones agree;
                                         // round a thin tube they cancel, and say nothing
 
@@ -85,17 +89,19 @@ public:
     return result;
   }
 
-  // from now on vertices also move where that raises the least around them and it is below the guard, whatever E does
-  void raise_least()
+  // from now on what quads lack of the guard weighs more than all else
+  void raise_worst()
   {
-    m_raises_least = true;
+    m_raises_worst = true;
     std::fill(m_is_active.begin(), m_is_active.end(), true);
   }
 
-  // returns the number of moves
-  std::size_t sweep(double guard)
+  // returns the number of moves; `least` is that of the mesh
+  std::size_t sweep(double guard, double least)
   {
-    m_guard = guard;
+    m_guard = std::max(guard, least);
+    m_least = least;
+    m_first_angle += golden_angle;
     std::size_t moves = 0;
     std::vector<char> active(m_place.size(), false);
     active.swap(m_is_active);
@@ -150,6 +156,7 @@ private:
       const Quality q = quality(m_corner[c].first, v, place);
       result.least = std::min(result.least, q.least);
       result.sum += q.sum;
+      if (m_raises_worst && q.least < m_guard) result.sum += penalty * std::pow(m_guard - q.least, 4);
     }
     return result;
   }
@@ -157,18 +164,16 @@ private:
   const Point_3& at_corner(std::size_t c, int ahead) const
   { return m_place[m_mesh.quads[m_corner[c].first][(m_corner[c].second + ahead) % 4]].point; }
 
-  // a quarter of the mean edge
-  double longest_step(std::size_t v) const
+  double mean_edge(std::size_t v) const
   {
     double sum = 0;
     for (std::size_t c = m_first[v]; c < m_first[v + 1]; ++c) sum += length(at_corner(c, 1) - m_place[v].point);
-    return sum / (4 * double(m_first[v + 1] - m_first[v]));
+    return sum / double(m_first[v + 1] - m_first[v]);
   }
 
   bool is_better(const Quality& a, const Quality& b) const
   {
-    if (m_raises_least && b.least < m_guard && a.least > b.least + smallest_rise) return true;
-    return a.sum < (1 - smallest_gain) * b.sum && a.least >= std::min(b.least, m_guard);
+    return a.sum < (1 - smallest_gain) * b.sum && a.least >= (m_raises_worst ? m_least : std::min(b.least, m_guard));
   }
 
   // where v is after a step in its tangent plane, unless that leads through a thin part to its other side; most steps
@@ -193,15 +198,19 @@ private:
   }
 
   // moves v if that is better
+  bool try_place(std::size_t v, const Place& place, Quality& now)
+  {
+    const Quality then = around(v, place);
+    if (!is_better(then, now)) return false;
+    m_place[v] = place;
+    now = then;
+    return true;
+  }
+
   bool try_step(std::size_t v, const Vector_3& step, Quality& now)
   {
     const std::optional<Place> place = is_on_boundary(v) ? slid(v, step) : moved(v, step, now);
-    if (!place) return false;
-    const Quality then = around(v, *place);
-    if (!is_better(then, now)) return false;
-    m_place[v] = *place;
-    now = then;
-    return true;
+    return place && try_place(v, *place, now);
   }
 
   // goes all the way, half of it, or a quarter
@@ -227,7 +236,8 @@ private:
       completion += (next + previous - across) / quads;
       middle += next / quads;
     }
-    return try_target(v, completion, now) || try_target(v, middle, now) || search(v, now);
+    return try_target(v, completion, now) || try_target(v, middle, now)
+           || (m_raises_worst && now.least < m_guard && !is_on_boundary(v) ? search_far(v, now) : search(v, now));
   }
 
   // of the search, unit vectors
@@ -251,7 +261,7 @@ private:
   // tries all directions; the step grows and shrinks with success
   bool search(std::size_t v, Quality& now)
   {
-    const double most = longest_step(v);
+    const double most = mean_edge(v) / 4;
     m_step[v] = std::min(m_step[v], most);
     for (const Vector_3& direction : directions_at(v))
       if (try_step(v, m_step[v] * direction, now)) {
@@ -259,6 +269,19 @@ private:
         return true;
       }
     m_step[v] = std::max(m_step[v] / 2, most / 16);
+    return false;
+  }
+
+  // walks along the surface, far at first: from facet to facet the worst quads change abruptly, and a tangent plane says
+  // nothing of the next facet but one; in other directions at the next sweep
+  bool search_far(std::size_t v, Quality& now)
+  {
+    const double edge = mean_edge(v);
+    for (double step = edge; step >= shortest_walk * edge; step /= 2)
+      for (int k = 0; k < walks; ++k)
+        if (try_place(v, m_surface.walked(m_place[v], std::polar(step, m_first_angle + 2 * CGAL_PI * k / walks)), now))
+          return true;
+    m_is_active[v] = true;
     return false;
   }
 
@@ -272,8 +295,9 @@ private:
   std::vector<Place>       m_place;                      // by vertex
   std::vector<double>      m_step;                       // by vertex: of the pattern search
   std::vector<char>        m_is_active;                  // by vertex: something around it has moved
-  double                   m_guard = 0;
-  bool                     m_raises_least = false;
+  double                   m_guard = 0, m_least = 0;     // scaled Jacobians: what quads are to reach, and the mesh has
+  double                   m_first_angle = 0;            // of the walks
+  bool                     m_raises_worst = false;
 };
 
 } // namespace
@@ -290,7 +314,7 @@ Smoothing_report smooth_quads(const Intrinsic_triangulation& input, const Smooth
   const auto sweep = [&](int patience) {
     for (int in_vain = 0; in_vain < patience && report.history.size() <= options.sweeps; ) {
       const Smoothing_sweep before = report.history.back();
-      const std::size_t moves = smoother.sweep(std::max(options.guard, before.least));
+      const std::size_t moves = smoother.sweep(options.guard, before.least);
       const Smoothing_sweep after = smoother.measure(moves);
       report.history.push_back(after);
       const double gain = std::max(after.least - before.least, after.mean - before.mean);
@@ -300,7 +324,7 @@ Smoothing_report smooth_quads(const Intrinsic_triangulation& input, const Smooth
   sweep(1);
   report.lowered = report.history.size() - 1;
   if (report.history.back().least < options.guard) {
-    smoother.raise_least();
+    smoother.raise_worst();
     sweep(3);
   }
   smoother.store();

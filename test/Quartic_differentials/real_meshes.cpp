@@ -57,7 +57,7 @@ const Wanted wanted[] = {{"spot_5k8", 40, 3.6}, {"kitten_18k9", 24, 3.5, 1.04}, 
                          {"sculpt_7k3", 32, 3.3, 1.06, 15, true, 0.45}, {"amphora_20k", 36, 3.6}, {"3holes_7k2", 24, 3.0, 1.06, 15, true, 0.75},
                          {"fertility_112k", 48, 3.4, 1.03}, {"botijo_82k", 72, 4.0}, {"bracket_29k", 60, 4.0},
                          {"neptune_30k", 90, 30, 1.2}, {"casting_10k", 90, 3.5}, {"dancer_50k", 80, 4.0},
-                         {"buddha_20k", 100, 15, 1.3, 40, false, 0.4}};
+                         {"buddha_20k", 100, 15, 1.3, 40, false}};
 
 void check_choice(const Json& report, const Wanted& w)
 {

@@ -24,7 +24,9 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iomanip>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -287,6 +289,23 @@ void obj_is_exact()
     CHECK(std::filesystem::file_size(Output::folder() + "/" + name) > 50);
 }
 
+// the line of a texture vertex whose vertex has others too: an edge at it has different ones on its two sides
+std::size_t line_on_seam(const Lines& lines)
+{
+  std::vector<std::size_t> line_of_texture{0};   // numbers begin at 1
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i].compare(0, 3, "vt ") == 0) line_of_texture.push_back(i);
+  std::map<std::size_t, std::size_t> texture_of;   // by vertex
+  for (const std::string& line : lines) {
+    if (line.compare(0, 2, "f ") != 0) continue;
+    std::istringstream words(line.substr(2));
+    std::size_t vertex, texture;
+    for (char slash; words >> vertex >> slash >> texture; )
+      if (texture_of.emplace(vertex, texture).first->second != texture) return line_of_texture[texture];
+  }
+  throw std::logic_error("no seam");
+}
+
 // The results on a surface in space, spoilt one line of flat.obj at a time.
 void flat_obj_is_checked()
 {
@@ -321,7 +340,7 @@ void flat_obj_is_checked()
     CHECK(fails_with(checks, sentence));
     if (!fails_with(checks, sentence)) std::cerr << "instead of " << text << ": " << sentence << std::endl;
   };
-  const std::size_t f = last("f "), v = last("v "), vt = last("vt "), first_v = 3;
+  const std::size_t f = last("f "), v = last("v "), vt = last("vt "), seam = line_on_seam(lines), first_v = 3;
   CHECK(lines[first_v].compare(0, 2, "v ") == 0);
   std::istringstream words(lines[f].substr(2));
   std::string a, b, c;
@@ -334,7 +353,12 @@ void flat_obj_is_checked()
   spoilt(f, "f 99999999/1 2/2 3/3", "flat.obj: a face refers to what is not there");
   spoilt(vt, "vt 0.1 0.2", "flat.obj: a texture coordinate is not on the grid");
   spoilt(vt, "vt nan 0", "flat.obj: a texture coordinate is not a finite number");
-  spoilt(vt, "vt 0.5 0.5", "are not an exact rotation");
+  std::istringstream numbers(lines[seam].substr(3));
+  double x = 0, y = 0;
+  numbers >> x >> y;
+  std::ostringstream moved;   // along the grid, and too little to turn a triangle over
+  moved << std::setprecision(17) << "vt " << x + std::ldexp(1.0, -20) << ' ' << y;
+  spoilt(seam, moved.str(), "are not an exact rotation");
   spoilt(v, "v 100 0 0", "flat.obj: lies on the input");
   spoilt(v, "v 100 zero 0", "flat.obj: a coordinate is not a finite number");
   spoilt(first_v, "v 0 0 0", "1 of " + std::to_string(input.number_of_vertices()) + " vertices of the input");

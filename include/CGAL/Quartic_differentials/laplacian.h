@@ -23,8 +23,8 @@ std::vector<double> cotangent_weights(const Intrinsic_triangulation& t, const st
 /// a third of the area of the triangles round every vertex.
 std::vector<double> vertex_areas(const Intrinsic_triangulation& t);
 
-/// A factorised symmetric positive definite matrix: CHOLMOD's supernodal Cholesky factorisation where the package was
-/// built with it, otherwise Eigen's. The symbolic part is kept while the sparsity pattern does not change, and the order
+/// A factorised symmetric positive definite matrix: CHOLMOD's Cholesky factorisation where the package was built
+/// with it, otherwise Eigen's. The symbolic part is kept while the sparsity pattern does not change, and the order
 /// of elimination of the first pattern serves the later ones, which differ by a few flipped edges or inserted vertices.
 class Symmetric_factorization
 {

@@ -17,7 +17,7 @@ namespace Quartic_differentials {
 /// Limits of `smooth_quads()`.
 struct Smoothing_options
 {
-  std::size_t sweeps = 40;        ///< at most
+  std::size_t sweeps = 60;        ///< at most
   double      guard = 0.6;        ///< a quad whose scaled Jacobian is above may become worse, but not below
   double      least_gain = 1e-4;  ///< a sweep gains something if the least or the mean grows by this
 };
@@ -48,9 +48,10 @@ struct Smoothing_report
 /// search. A move is made only if it lowers an energy of the angles and the ratios of edges at the corners of the quads
 /// around, and if the least scaled Jacobian among them stays above the guard or does not fall. The guard is raised to
 /// the mesh's least where that is above it; therefore the least of the mesh never falls. After a sweep that gains nothing,
-/// if the mesh's least is still below the guard, moves are also made where the energy grows, if they raise a least below
-/// the guard by a hundredth, until three sweeps in a row gain nothing. Vertices of the boundary slide along it by the
-/// same rules, each between its two neighbours there; corners stay.
+/// if the mesh's least is still below the guard, moves are also made where the energy grows, if they bring the worst quads
+/// around a vertex nearer to the guard; vertices then walk along the surface too, in all directions and as far as the
+/// next vertices, until three sweeps in a row gain nothing. Vertices of the boundary slide along it by the same rules,
+/// each between its two neighbours there; corners stay.
 ///
 /// Not promised: that every quad that is turned over is turned back, and that no two parts of the mesh cross. Results
 /// are the same in every run; points are `position_on_input()` of `input_points`.
@@ -59,6 +60,7 @@ struct Smoothing_report
 /// \pre `defect()` of `m` is empty; its vertices on the boundary are on that of the input, exactly: the coordinate of
 ///      `input_points` opposite the boundary edge is 0
 /// \throws Unusable_surface_error if `input` is not embedded
+/// \throws Numerical_error if a walk along it crosses more than 100,000 edges
 /// Complexity: O(n log n) for n faces of the input. For every sweep O(m log n) for m quads, if edges are short against
 ///             the surface's features; vertices around which nothing has moved are passed over.
 /// Source: METHOD, "Smoothing"; guarded moves, Freitag and Ollivier-Gooch 1997.

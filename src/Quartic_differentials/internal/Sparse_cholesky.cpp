@@ -22,6 +22,9 @@ namespace {
 // From this size on, nested dissection (METIS) pays: a factorisation then takes half the time or less, and finding the
 // order as long as three of them. Below, minimum degree (AMD) is as good. (benchmark_orders; METHOD, "Factorisations")
 const std::size_t large = 100000;
+// From this number of operations for a nonzero of the factor on, dense blocks (supernodes) pay: beyond some 30,000 vertices.
+// A smaller factor is made in two thirds of the time without, and a back-substitution too. (benchmark_orders)
+const double      dense = 120;
 const double      worn = 1.5;   // an order is found anew when the fill has grown by this factor
 
 // A number that a library keeps to itself, set to another value for as long as the object lives; nothing happens where the
@@ -109,7 +112,9 @@ Sparse_cholesky::Sparse_cholesky()
 {
   cholmod_start(&m_common);
   m_common.print = 0;   // errors are exceptions here
-  m_common.supernodal = CHOLMOD_SUPERNODAL;
+  m_common.supernodal = CHOLMOD_AUTO;
+  m_common.supernodal_switch = dense;
+  m_common.final_ll = 1;   // without blocks too it is LL' that is computed, which tells whether the matrix is positive
   m_common.final_asis = 1;
   m_common.nmethods = 1;
 }

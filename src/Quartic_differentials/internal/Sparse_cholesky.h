@@ -29,9 +29,9 @@ struct Elimination_order
 
 #ifdef QUARTIC_HAS_CHOLMOD
 
-/// CHOLMOD's supernodal Cholesky factorisation of a symmetric matrix, given by its lower triangle. An order of elimination
-/// is found once and kept for matrices of other patterns: those of a triangulation differ by few edges, and finding a
-/// good order takes longer than a factorisation.
+/// CHOLMOD's Cholesky factorisation of a symmetric matrix, given by its lower triangle. An order of elimination is found
+/// once and kept for matrices of other patterns: those of a triangulation differ by few edges, and finding a good order
+/// takes longer than a factorisation.
 class Sparse_cholesky
 {
 public:
@@ -52,7 +52,7 @@ public:
   /// an order for the patterns to come, whose rows are those it holds but for some at the end
   void set_order(Elimination_order order) { m_order = std::move(order); }
 
-  static const char* name() { return "SuiteSparse CHOLMOD, supernodal"; }
+  static const char* name() { return "SuiteSparse CHOLMOD"; }
 
 private:
   void find_order(cholmod_sparse& matrix);

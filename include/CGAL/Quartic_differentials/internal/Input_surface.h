@@ -8,7 +8,9 @@
 #include <CGAL/Quartic_differentials/Common_refinement.h>
 #include <CGAL/Quartic_differentials/internal/Nearest_point.h>
 #include <CGAL/Quartic_differentials/internal/Quad_shape.h>
+#include <CGAL/Quartic_differentials/internal/surface_walk.h>
 
+#include <complex>
 #include <vector>
 
 namespace CGAL {
@@ -52,6 +54,14 @@ public:
   Place nearest(const Point_3& p) const { return place(m_nearest(p)); }
   /// \param near a place: the nearer it is, the faster the search
   Place nearest(const Point_3& p, const Place& near) const { return place(m_nearest(p, near.point, near.at.face)); }
+  /// the place at the end of a straight walk; the boundary reflects
+  /// \param displacement in the unfolded frame of the face
+  Place walked(const Place& from, std::complex<double> displacement) const
+  {
+    const double inside = 1e-9;   // from a vertex, the way into the next face would be undetermined
+    const auto ignore = [](const Surface_point&, const Surface_point&) {};
+    return place(moved_inside(walk(m_t, moved_inside(from.at, inside), displacement, ignore).point, 0));
+  }
 
 private:
   const Nearest_point            m_nearest;
