@@ -35,7 +35,8 @@ struct Method
 const Method methods[] = {{"CHOLMOD's choice of order", -1, Eigen::CholmodSupernodalLLt},
                           {"minimum degree (AMD)", CHOLMOD_AMD, Eigen::CholmodSupernodalLLt},
                           {"minimum degree, no blocks", CHOLMOD_AMD, Eigen::CholmodSimplicialLLt},
-                          {"nested dissection (METIS)", CHOLMOD_METIS, Eigen::CholmodSupernodalLLt}};
+                          {"nested dissection (METIS)", CHOLMOD_METIS, Eigen::CholmodSupernodalLLt},
+                          {"nested dissection, no blocks", CHOLMOD_METIS, Eigen::CholmodSimplicialLLt}};
 const int solves = 10;
 
 // A positive definite matrix of the pattern of the Laplacian, without the row and column of the first vertex.

@@ -54,9 +54,8 @@ Abel_jacobi_map::Abel_jacobi_map(const Intrinsic_triangulation& t, const Harmoni
 
 Lifted_point Abel_jacobi_map::lift(const Surface_point& p) const
 {
-  const double inward = 1e-9;
-  const bool on_boundary = *std::min_element(p.barycentric.begin(), p.barycentric.end()) < inward;
-  return {on_boundary ? internal::moved_inside(p, inward) : p, Eigen::RowVectorXd::Zero(dimension()), 1};
+  const bool on_boundary = *std::min_element(p.barycentric.begin(), p.barycentric.end()) < internal::inward;
+  return {on_boundary ? internal::moved_inside(p, internal::inward) : p, Eigen::RowVectorXd::Zero(dimension()), 1};
 }
 
 Lifted_point Abel_jacobi_map::lift_on_boundary(const Surface_point& p) const

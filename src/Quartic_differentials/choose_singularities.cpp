@@ -204,14 +204,15 @@ private:
     return with_best_price();
   }
 
-  // and fewer where zeros can be merged
+  // of the counts in ascending order the first that has a legal place which meets the goal, after some exchanges; fewer
+  // where zeros can be merged
   std::optional<Legal_candidate> with_fewest(double goal, int times)
   {
     const std::map<int, Candidate> met = m_search.best_by_count();
     for (const auto& [count, candidate] : met) {
       if (count < m_counts.least || candidate.energy > (times == 0 ? goal : exchange_gain * goal)) continue;
       const Candidate c = m_search.exchanged(candidate, times);
-      if (c.energy > goal) continue;
+      if (c.energy > goal || (times > 0 && c.energy == candidate.energy)) continue;   // or was refused without exchanges
       const std::optional<Legal_candidate> legal = legal_best(c, lattice_vectors);
       if (legal && legal->distortion > goal) continue;
       const Candidate merged = m_search.merged(c);

@@ -156,7 +156,8 @@ private:
       const Quality q = quality(m_corner[c].first, v, place);
       result.least = std::min(result.least, q.least);
       result.sum += q.sum;
-      if (m_raises_worst && q.least < m_guard) result.sum += penalty * std::pow(m_guard - q.least, 4);
+      if (m_raises_worst && q.least < m_guard)
+        result.sum += penalty * CGAL::square(CGAL::square(m_guard - q.least));
     }
     return result;
   }

@@ -18,7 +18,7 @@ namespace Quartic_differentials {
 struct Smoothing_options
 {
   std::size_t sweeps = 60;        ///< at most
-  double      guard = 0.6;        ///< a quad whose scaled Jacobian is above may become worse, but not below
+  double      guard = 0.6;        ///< a scaled Jacobian that is good enough; see below
   double      least_gain = 1e-4;  ///< a sweep gains something if the least or the mean grows by this
 };
 
@@ -48,10 +48,10 @@ struct Smoothing_report
 /// search. A move is made only if it lowers an energy of the angles and the ratios of edges at the corners of the quads
 /// around, and if the least scaled Jacobian among them stays above the guard or does not fall. The guard is raised to
 /// the mesh's least where that is above it; therefore the least of the mesh never falls. After a sweep that gains nothing,
-/// if the mesh's least is still below the guard, moves are also made where the energy grows, if they bring the worst quads
-/// around a vertex nearer to the guard; vertices then walk along the surface too, in all directions and as far as the
-/// next vertices, until three sweeps in a row gain nothing. Vertices of the boundary slide along it by the same rules,
-/// each between its two neighbours there; corners stay.
+/// if the mesh's least is still below the guard, what quads lack of the guard is penalised; a quad may then become worse for
+/// the sake of others, but not worse than the mesh's least, and vertices walk along the surface too, in all directions and
+/// as far as the next vertices, until three sweeps in a row gain nothing. Vertices of the boundary slide along it by the
+/// same rules, each between its two neighbours there; corners stay.
 ///
 /// Not promised: that every quad that is turned over is turned back, and that no two parts of the mesh cross. Results
 /// are the same in every run; points are `position_on_input()` of `input_points`.

@@ -22,9 +22,10 @@ namespace {
 // From this size on, nested dissection (METIS) pays: a factorisation then takes half the time or less, and finding the
 // order as long as three of them. Below, minimum degree (AMD) is as good. (benchmark_orders; METHOD, "Factorisations")
 const std::size_t large = 100000;
-// From this number of operations for a nonzero of the factor on, dense blocks (supernodes) pay: beyond some 30,000 vertices.
-// A smaller factor is made in two thirds of the time without, and a back-substitution too. (benchmark_orders)
-const double      dense = 120;
+// A matrix of fewer rows and fewer operations for a nonzero of its factor gets no dense blocks (supernodes): it is
+// factorised about as fast without, and a back-substitution takes half to two thirds of the time. (benchmark_orders)
+const std::size_t small = 30000;
+const double      sparse = 120;
 const double      worn = 1.5;   // an order is found anew when the fill has grown by this factor
 
 // A number that a library keeps to itself, set to another value for as long as the object lives; nothing happens where the
@@ -112,8 +113,7 @@ Sparse_cholesky::Sparse_cholesky()
 {
   cholmod_start(&m_common);
   m_common.print = 0;   // errors are exceptions here
-  m_common.supernodal = CHOLMOD_AUTO;
-  m_common.supernodal_switch = dense;
+  m_common.supernodal_switch = sparse;
   m_common.final_ll = 1;   // without blocks too it is LL' that is computed, which tells whether the matrix is positive
   m_common.final_asis = 1;
   m_common.nmethods = 1;
@@ -151,6 +151,7 @@ void Sparse_cholesky::find_order(cholmod_sparse& matrix)
 void Sparse_cholesky::analyze(const Matrix& lower)
 {
   cholmod_sparse matrix = view_of(lower);
+  m_common.supernodal = matrix.nrow < small ? CHOLMOD_AUTO : CHOLMOD_SUPERNODAL;
   if (m_order.rows.empty()) return find_order(matrix);
   free_factor();
   m_order.rows = extended(m_order.rows, static_cast<int>(lower.rows()));

@@ -58,9 +58,8 @@ public:
   /// \param displacement in the unfolded frame of the face
   Place walked(const Place& from, std::complex<double> displacement) const
   {
-    const double inside = 1e-9;   // from a vertex, the way into the next face would be undetermined
     const auto ignore = [](const Surface_point&, const Surface_point&) {};
-    return place(moved_inside(walk(m_t, moved_inside(from.at, inside), displacement, ignore).point, 0));
+    return place(moved_inside(walk(m_t, moved_inside(from.at, inward), displacement, ignore).point, 0));
   }
 
 private:

@@ -42,6 +42,10 @@ inline Surface_point moved_inside(Surface_point p, double least)
   return p;
 }
 
+/// the least barycentric coordinate of a point from which a walk starts: from a vertex, the way into the next face would be
+/// undetermined
+constexpr double inward = 1e-9;
+
 /// Where a straight walk ended.
 struct Walk_end
 {
@@ -135,7 +139,6 @@ inline Surface_point walk_from_vertex(const Intrinsic_triangulation& t, const st
   while (c + 1 != star.end() && c->end_angle < angle) ++c;
   const Face f = t.face(c->halfedge);
   const int k = t.corner(c->halfedge);
-  const double inward = 1e-9;   // start inside the face, not on its corner
   Surface_point p{f, {inward, inward, inward}};
   p.barycentric[k] = 1 - 2 * inward;
   const std::complex<double> step = std::polar(distance, c->frame_angle + (angle - c->begin_angle));
