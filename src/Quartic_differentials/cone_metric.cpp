@@ -35,7 +35,7 @@ using internal::Length_derivatives;
 using internal::scientific;
 
 const double pi = CGAL_PI;
-const double near_error = 0.1;   // of curvature, radians: from there on the Laplacian changes little
+const double near_error = 1;   // of curvature, radians: from there on the Laplacian changes little
 
 double largest(const Eigen::VectorXd& x) { return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff(); }
 
@@ -122,6 +122,11 @@ void relax(const Intrinsic_triangulation& t, const std::vector<double>& weights,
     }
 }
 
+// The relative error with which a step of Newton's method is to be solved for, so that what it adds is small against what
+// the step leaves anyway, about the square of the error, or against the goal (Dembo, Eisenstat and Steihaug, "Inexact
+// Newton methods", 1982).
+double enough(double error, double goal) { return 0.1 * std::max(error, goal / error); }
+
 // The direction of Newton's first step from u = 0, nearly, without a factorisation of its own: the linear theory on the
 // surface without the cones is this step but for the triangles round them, where it is relaxed.
 // \param error K - target at u = 0
@@ -177,9 +182,11 @@ void newton(Flow& flow, const std::function<Eigen::VectorXd(const Eigen::VectorX
   }
   m.flow.history.assign(1, largest(error));
   bool factorized = false, is_given = static_cast<bool>(first);
-  while (m.flow.history.back() > 0.01 * m.flow.tolerance && m.flow.newton_iterations < options.newton_iterations) {
+  const double goal = 0.01 * m.flow.tolerance;
+  while (m.flow.history.back() > goal && m.flow.newton_iterations < options.newton_iterations) {
     if (!visitor.go_further()) throw Cancelled_error("stopped during the discrete Ricci flow");
-    const bool polishing = m.flow.history.back() <= m.flow.tolerance, near = m.flow.history.back() < near_error;
+    const double largest_error = m.flow.history.back();
+    const bool polishing = largest_error <= m.flow.tolerance, near = largest_error < near_error;
     if (!is_given && (!polishing || !factorized)) {
       const std::vector<double> weights = cotangent_weights(m.triangulation, m.lengths);
       near ? laplacian.update(m.triangulation, weights) : laplacian.factorize(m.triangulation, weights);
@@ -187,11 +194,12 @@ void newton(Flow& flow, const std::function<Eigen::VectorXd(const Eigen::VectorX
     }
     // the errors add up to zero (Gauss-Bonnet) but for rounding, which is spread evenly
     Eigen::VectorXd direction = is_given ? first(error)
-                                         : -laplacian.solve((error.array() - error.mean()).matrix()).col(0);
+                                         : -laplacian.solve((error.array() - error.mean()).matrix(),
+                                                            enough(largest_error, goal)).col(0);
     direction.array() -= direction.mean();
     const bool accepted = polishing
       ? step_along(flow, direction, 0.75, error,
-                   [&](const Eigen::VectorXd& e, double) { return largest(e) < 0.5 * m.flow.history.back(); })
+                   [&](const Eigen::VectorXd& e, double) { return largest(e) < 0.5 * largest_error; })
       : step_along(flow, direction, 1e-8, error, [norm = error.norm()](const Eigen::VectorXd& e, double step) {
           return e.norm() < norm * (1 - 1e-4 * step);
         });
