@@ -31,7 +31,7 @@ struct Smoothed
 {
   std::string  mesh;
   std::size_t  target, quads;
-  double       lowered;            // least scaled Jacobian where smoothing has only lowered the energy
+  double       lowered;             // least scaled Jacobian where smoothing has only lowered the energy
   Quad_quality quality;
   double       making, measuring;   // [seconds]: quantization, quad mesh and smoothing; quality
 };

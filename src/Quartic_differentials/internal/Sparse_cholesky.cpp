@@ -20,7 +20,7 @@ namespace internal {
 namespace {
 
 // From this size on, nested dissection (METIS) pays: a factorisation then takes three fifths of the time, and finding the
-// order as long as three of them. Below, minimum degree (AMD) is better for the few factorisations of a run.
+// order as long as three of them. Below, minimum degree (AMD) is better for the four factorisations of a run.
 // (benchmark_orders; METHOD, "Factorisations")
 const std::size_t large = 300000;
 // A matrix of fewer rows and fewer operations for a nonzero of its factor gets no dense blocks (supernodes): it is
