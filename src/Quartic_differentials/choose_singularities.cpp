@@ -29,12 +29,14 @@ using internal::Moving_divisor;
 using internal::Singularity_search;
 using Candidate = Singularity_search::Candidate;
 
-const int    patience = 2;             // pairs in a row that may fail to be worth it
+const int    patience = 4;             // pairs in a row that may fail to be worth it
 const int    lattice_vectors = 4;      // tried
 const int    first_iterations = 15;    // of the descent for each of them; the best is continued
 const int    exchanges = 20;
 const int    most_that_fit = 700;      // disks of diameter 0.04 sqrt(area), about
 const double slack = 1.2;              // fewer singularities are worth that factor of the wanted distortion
+const double nearly_enough = 1.1;      // times the wanted distortion: above that exchanges are worth their time
+const int    last_exchanges = 2;
 const double exchange_gain = 1.15;     // what exchanges may bring at the most, about
 const int    tried_when_missed = 4;    // counts that are legalized when the distortion cannot be met
 const double coarse_least_distance = 0.012;   // leaves room for the last Newton steps, times sqrt(area)
@@ -183,7 +185,7 @@ private:
     const Eigen::VectorXd u = m_distortion.log_scale(first);
     starts.push_back({start == Singularity_start::pairs ? "pairs" : start == Singularity_start::field ? "field" : "curvature",
                       static_cast<int>(first.size()), m_distortion.energy(u), area_scale_ratio(u, m_distortion.mass())});
-    const Candidate c = m_search.relaxed(first, 100, 1e-3);
+    const Candidate c = m_search.relaxed(first, 100);
     if (m_counts.wanted != 0) adjust_count(c);
     else prune(grown(c, m_options.distortion));
   }
@@ -199,9 +201,12 @@ private:
   // the fewest singularities that meet the wanted distortion; where none do, those of the best price
   std::optional<Legal_candidate> with_fewest()
   {
+    const double goal = slack * m_options.distortion;
     for (int times : {0, exchanges})   // exchanges take as long as all else, and are rarely needed
-      if (std::optional<Legal_candidate> legal = with_fewest(slack * m_options.distortion, times)) return legal;
-    return with_best_price();
+      if (std::optional<Legal_candidate> legal = with_fewest(goal, times)) return improved(*legal, goal);
+    std::optional<Legal_candidate> legal = with_best_price();
+    if (legal) legal = with_fewer(std::move(*legal), std::numeric_limits<double>::infinity());
+    return legal;
   }
 
   // of the counts in ascending order the first that has a legal place which meets the goal, after some exchanges; fewer
@@ -213,20 +218,52 @@ private:
       if (count < m_counts.least || candidate.energy > (times == 0 ? goal : exchange_gain * goal)) continue;
       const Candidate c = m_search.exchanged(candidate, times);
       if (c.energy > goal || (times > 0 && c.energy == candidate.energy)) continue;   // or was refused without exchanges
-      const std::optional<Legal_candidate> legal = legal_best(c, lattice_vectors);
-      if (legal && legal->distortion > goal) continue;
-      const Candidate merged = m_search.merged(c);
-      if (merged.count() < count) {
-        const std::optional<Legal_candidate> fewer = legal_best(merged, lattice_vectors);
-        if (fewer && fewer->distortion <= goal) return fewer;
-      }
-      if (legal) return legal;
+      if (std::optional<Legal_candidate> legal = legal_within(c, goal)) return legal;
     }
     return std::nullopt;
   }
 
-  double price(double distortion, std::size_t count) const
-  { return distortion + 0.5 * m_options.worth * static_cast<double>(count); }
+  // with zeros merged where that meets the goal, too
+  std::optional<Legal_candidate> legal_within(const Candidate& c, double goal)
+  {
+    const std::optional<Legal_candidate> legal = legal_best(c, lattice_vectors);
+    if (legal && legal->distortion > goal) return std::nullopt;
+    const Candidate merged = m_search.merged(c);
+    if (merged.count() < c.count()) {
+      const std::optional<Legal_candidate> fewer = legal_best(merged, lattice_vectors);
+      if (fewer && fewer->distortion <= goal) return fewer;
+    }
+    return legal;
+  }
+
+  // The table's candidates are not where the lattice vectors took one of them: the search goes on from there.
+  Legal_candidate improved(Legal_candidate best, double goal)
+  {
+    best = with_fewer(std::move(best), goal);
+    if (best.distortion <= nearly_enough * m_options.distortion) return best;
+    const Candidate c = m_search.relaxed(best.divisor);
+    const Candidate exchanged = m_search.exchanged(c, last_exchanges);
+    if (exchanged.energy >= c.energy) return best;
+    std::optional<Legal_candidate> better = legal_within(exchanged, goal);
+    return better && price(*better) < price(best) ? with_fewer(std::move(*better), goal) : best;
+  }
+
+  // takes pairs away from a legal divisor as long as they are not worth it and the goal is met
+  Legal_candidate with_fewer(Legal_candidate best, double goal)
+  {
+    for (;;) {
+      const std::optional<Candidate> c = m_search.without_pair(m_search.relaxed(best.divisor));
+      if (!c || c->count() < m_counts.least || c->energy > goal || price(*c) > price(best) + m_options.worth) return best;
+      std::optional<Legal_candidate> fewer = legal_within(*c, goal);
+      if (!fewer || price(*fewer) > price(best)) return best;
+      best = std::move(*fewer);
+    }
+  }
+
+  double price(double distortion, const Divisor& divisor) const
+  { return distortion + 0.5 * m_options.worth * static_cast<double>(divisor.size()); }
+  double price(const Candidate& c) const { return price(c.energy, c.divisor); }
+  double price(const Legal_candidate& c) const { return price(c.distortion, c.divisor); }
 
   std::optional<Legal_candidate> with_best_price()
   {
@@ -234,7 +271,7 @@ private:
     for (const auto& [count, candidate] : m_search.best_by_count())
       if (count >= m_counts.least) candidates.push_back(candidate);
     std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
-      return price(a.energy, a.divisor.size()) < price(b.energy, b.divisor.size());
+      return price(a) < price(b);
     });
     std::optional<Legal_candidate> best;
     int tried = 0;
@@ -242,8 +279,7 @@ private:
       if (best && tried >= tried_when_missed) break;
       ++tried;
       std::optional<Legal_candidate> legal = legal_best(c, lattice_vectors);
-      if (legal && (!best || price(legal->distortion, legal->divisor.size()) < price(best->distortion, best->divisor.size())))
-        best = std::move(legal);
+      if (legal && (!best || price(*legal) < price(*best))) best = std::move(legal);
     }
     return best;
   }

@@ -26,12 +26,10 @@ const double from_singularities = 0.04;   // of a new one
 const double between_extrema    = 0.12;   // of the places looked at for a new one
 const double merge_distance     = 0.05;
 const int    extrema_of_each_sign = 3;
-const int    pairs_tried = 2;
-// of the descent after a pair has come or gone
-const int    few_iterations = 40;
-const int    moves_tried = 3;
+const std::size_t additions_tried = 2, removals_tried = 3;
+const std::size_t moves_tried = 3;
 const double worth_moving = 1e-3;   // part of E that a move has to gain
-const double rough = 1e-3;
+const double rough = 1e-3;          // as `Distortion_options::enough`
 
 struct Pair_change
 {
@@ -39,6 +37,14 @@ struct Pair_change
   std::size_t first, second;
   bool operator<(const Pair_change& other) const { return change < other.change; }
 };
+
+std::vector<Pair_change> first_few(std::vector<Pair_change> changes, std::size_t most)
+{
+  const std::size_t n = std::min(most, changes.size());
+  std::partial_sort(changes.begin(), changes.begin() + n, changes.end());
+  changes.resize(n);
+  return changes;
+}
 
 } // namespace
 
@@ -83,11 +89,11 @@ Divisor Singularity_search::completed(Divisor divisor) const
   return divisor;
 }
 
-Candidate Singularity_search::relaxed(const Divisor& divisor, int iterations, double enough)
+Candidate Singularity_search::relaxed(const Divisor& divisor, int iterations)
 {
   Distortion_options options = m_descent;
   options.iterations = iterations;
-  options.enough = enough;
+  options.enough = rough;
   Descent descent = descend(m_distortion, Moving_divisor(m_map, divisor), std::nullopt, options, m_visitor);
   Candidate c{descent.divisor.divisor(), std::move(descent.u), descent.history.back().objective};
   const auto [best, is_new] = m_best.emplace(c.count(), c);
@@ -95,7 +101,20 @@ Candidate Singularity_search::relaxed(const Divisor& divisor, int iterations, do
   return c;
 }
 
-std::optional<Candidate> Singularity_search::with_pair(const Candidate& c)
+// The best of the first few, which are relaxed until one is good enough.
+std::optional<Candidate> Singularity_search::best_relaxed(const std::vector<Divisor>& divisors, double enough)
+{
+  std::optional<Candidate> best;
+  for (const Divisor& divisor : divisors) {
+    Candidate tried = relaxed(divisor);
+    if (!best || tried.energy < best->energy) best = std::move(tried);
+    if (best->energy < enough) break;
+  }
+  return best;
+}
+
+// With a pole and a zero more: of all pairs of extrema of the potential those that change E best, the best one first.
+std::vector<Divisor> Singularity_search::additions(const Candidate& c, std::size_t most) const
 {
   const Eigen::VectorXd w = m_distortion.potential(c.u);
   const std::vector<Vertex> poles = extrema(c.divisor, w, +1, extrema_of_each_sign);
@@ -109,21 +128,17 @@ std::optional<Candidate> Singularity_search::with_pair(const Candidate& c)
     for (std::size_t z = poles.size(); z < added.size(); ++z)
       if (poles[p] != zeros[z - poles.size()])
         pairs.push_back({changes.of_pair(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(z), quarter_turn), p, z});
-  std::sort(pairs.begin(), pairs.end());
-
-  std::optional<Candidate> best;
-  for (std::size_t k = 0; k < std::min<std::size_t>(pairs_tried, pairs.size()); ++k) {
-    Divisor divisor = c.divisor;
-    divisor.push_back(added[pairs[k].first]);
-    divisor.push_back(added[pairs[k].second]);
-    Candidate tried = relaxed(divisor, few_iterations, rough);
-    if (!best || tried.energy < best->energy) best = std::move(tried);
-    if (best->energy < c.energy - m_options.worth) break;
+  std::vector<Divisor> divisors;
+  for (const Pair_change& pair : first_few(std::move(pairs), most)) {
+    divisors.push_back(c.divisor);
+    divisors.back().push_back(added[pair.first]);
+    divisors.back().push_back(added[pair.second]);
   }
-  return best;
+  return divisors;
 }
 
-std::optional<Candidate> Singularity_search::without_pair(const Candidate& c)
+// Without a simple pole and a simple zero: of all such pairs those that change E best, the best one first.
+std::vector<Divisor> Singularity_search::removals(const Candidate& c, std::size_t most) const
 {
   Divisor removable;
   std::vector<std::size_t> index;
@@ -133,19 +148,29 @@ std::optional<Candidate> Singularity_search::without_pair(const Candidate& c)
       index.push_back(i);
     }
   const Charge_changes changes(m_distortion, c.u, m_distortion.greens_functions(locations(removable)));
-  std::optional<Pair_change> cheapest;
+  std::vector<Pair_change> pairs;
   for (std::size_t p = 0; p < removable.size(); ++p)
-    for (std::size_t z = 0; z < removable.size(); ++z) {
-      if (removable[p].order != -1 || removable[z].order != 1) continue;
-      const Pair_change change{changes.of_pair(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(z), -quarter_turn),
-                               index[p], index[z]};
-      if (!cheapest || change < *cheapest) cheapest = change;
-    }
-  if (!cheapest) return std::nullopt;
-  Divisor divisor = c.divisor;
-  divisor.erase(divisor.begin() + std::max(cheapest->first, cheapest->second));
-  divisor.erase(divisor.begin() + std::min(cheapest->first, cheapest->second));
-  return relaxed(divisor, few_iterations, rough);
+    for (std::size_t z = 0; z < removable.size(); ++z)
+      if (removable[p].order == -1 && removable[z].order == 1)
+        pairs.push_back({changes.of_pair(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(z), -quarter_turn),
+                         index[p], index[z]});
+  std::vector<Divisor> divisors;
+  for (const Pair_change& pair : first_few(std::move(pairs), most)) {
+    divisors.push_back(c.divisor);
+    divisors.back().erase(divisors.back().begin() + std::max(pair.first, pair.second));
+    divisors.back().erase(divisors.back().begin() + std::min(pair.first, pair.second));
+  }
+  return divisors;
+}
+
+std::optional<Candidate> Singularity_search::with_pair(const Candidate& c)
+{
+  return best_relaxed(additions(c, additions_tried), c.energy - m_options.worth);
+}
+
+std::optional<Candidate> Singularity_search::without_pair(const Candidate& c)
+{
+  return best_relaxed(removals(c, removals_tried), c.energy + m_options.worth);
 }
 
 // Moves one simple singularity to a far place: of all such moves the ones that change E best are tried.
@@ -163,11 +188,10 @@ std::optional<Candidate> Singularity_search::with_one_elsewhere(const Candidate&
       if (divisor[i].order == divisor[k].order)
         moves.push_back({changes.of_pair(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i),
                                          -divisor[i].order * quarter_turn), i, k});
-  std::sort(moves.begin(), moves.end());
-  for (std::size_t k = 0; k < std::min<std::size_t>(moves_tried, moves.size()); ++k) {
+  for (const Pair_change& move : first_few(std::move(moves), moves_tried)) {
     Divisor moved = c.divisor;
-    moved[moves[k].first].location = divisor[moves[k].second].location;
-    Candidate tried = relaxed(moved, few_iterations, rough);
+    moved[move.first].location = divisor[move.second].location;
+    Candidate tried = relaxed(moved);
     if (tried.energy < (1 - worth_moving) * c.energy) return tried;
   }
   return std::nullopt;
@@ -175,11 +199,11 @@ std::optional<Candidate> Singularity_search::with_one_elsewhere(const Candidate&
 
 std::optional<Candidate> Singularity_search::with_another_pair(const Candidate& c)
 {
-  const std::optional<Candidate> more = with_pair(c);
-  if (!more) return std::nullopt;
-  std::optional<Candidate> again = without_pair(*more);
-  if (!again || !(again->energy < (1 - worth_moving) * c.energy)) return std::nullopt;
-  return again;
+  for (const Divisor& more : additions(c, additions_tried)) {
+    std::optional<Candidate> again = without_pair(relaxed(more));
+    if (again && again->energy < (1 - worth_moving) * c.energy) return again;
+  }
+  return std::nullopt;
 }
 
 Candidate Singularity_search::exchanged(Candidate c, int times)
@@ -216,7 +240,7 @@ Candidate Singularity_search::merged(Candidate c)
     s.order += divisor[pair.second].order;
     s.location = walk(m_t, s.location, middle, [](const Surface_point&, const Surface_point&) {}).point;
     divisor.erase(divisor.begin() + pair.second);
-    Candidate tried = relaxed(divisor, few_iterations, rough);
+    Candidate tried = relaxed(divisor);
     if (tried.energy < c.energy + 0.05 * m_options.worth) {
       c = std::move(tried);
       refused.clear();

@@ -13,8 +13,10 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -41,11 +43,11 @@ public:
 
   /// simple singularities are added one by one at extrema of the potential until the degree is 8g - 8 + 4b
   Divisor completed(Divisor divisor) const;
-  /// a local minimum near by
-  Candidate relaxed(const Divisor& divisor, int iterations, double enough);
-  /// with the pole and zero whose addition lowers E most; none if there is no room
+  /// a local minimum near by, roughly
+  Candidate relaxed(const Divisor& divisor, int iterations = 40);
+  /// with a pole and a zero more, one of the pairs whose addition lowers E most; none if there is no room
   std::optional<Candidate> with_pair(const Candidate& c);
-  /// without the simple pole and zero whose removal raises E least; none if there are no such pairs
+  /// without a simple pole and a simple zero, one of the pairs whose removal raises E least; none if there are no such pairs
   std::optional<Candidate> without_pair(const Candidate& c);
   /// pairs, or single singularities, are put elsewhere as long as that lowers E
   Candidate exchanged(Candidate c, int times);
@@ -57,6 +59,9 @@ public:
   const std::map<int, Candidate>& best_by_count() const { return m_best; }
 
 private:
+  std::vector<Divisor> additions(const Candidate& c, std::size_t most) const;
+  std::vector<Divisor> removals(const Candidate& c, std::size_t most) const;
+  std::optional<Candidate> best_relaxed(const std::vector<Divisor>& divisors, double enough);
   std::optional<Candidate> with_one_elsewhere(const Candidate& c);
   std::optional<Candidate> with_another_pair(const Candidate& c);
   std::vector<Vertex> extrema(const Divisor& divisor, const Eigen::VectorXd& w, int sign, int count) const;
