@@ -158,7 +158,7 @@ std::array<std::complex<double>, 3> Intrinsic_triangulation::unfolded(Face f) co
 {
   const auto [h0, h1, h2] = halfedges(f);
   const double a = length(h0), b = length(h1), c = length(h2);
-  const double x = (a * a + c * c - b * b) / (2 * a), y = four_times_area(a, b, c) / (2 * a);
+  const double x = twice_scalar_product(b, c, a) / (2 * a), y = four_times_area(a, b, c) / (2 * a);
   return {std::complex<double>(0, 0), std::complex<double>(a, 0), std::complex<double>(x, y)};
 }
 

@@ -29,7 +29,8 @@ using internal::Moving_divisor;
 using internal::Singularity_search;
 using Candidate = Singularity_search::Candidate;
 
-const int    patience = 4;             // pairs in a row that may fail to be worth it
+const int    patience = 8;             // pairs in a row that may fail to be worth it
+const int    patience_where_met = 2;   // the same, if the wanted distortion can be met as it is
 const int    lattice_vectors = 4;      // tried
 const int    first_iterations = 15;    // of the descent for each of them; the best is continued
 const int    exchanges = 20;
@@ -37,6 +38,7 @@ const int    most_that_fit = 700;      // disks of diameter 0.04 sqrt(area), abo
 const double slack = 1.2;              // fewer singularities are worth that factor of the wanted distortion
 const double nearly_enough = 1.1;      // times the wanted distortion: above that exchanges are worth their time
 const int    last_exchanges = 2;
+const double least_gain = 0.01;        // of a pair in the end, part of E
 const double exchange_gain = 1.15;     // what exchanges may bring at the most, about
 const int    tried_when_missed = 4;    // counts that are legalized when the distortion cannot be met
 const double coarse_least_distance = 0.012;   // leaves room for the last Newton steps, times sqrt(area)
@@ -152,7 +154,7 @@ private:
   {
     if (m_options.start != Singularity_start::automatic) return {m_options.start};
     if (only_corners(m_given) && field().size() <= m_options.field_limit)
-      return {Singularity_start::pairs, Singularity_start::field};
+      return {Singularity_start::field, Singularity_start::pairs};
     return {Singularity_start::pairs};
   }
   const Divisor& field()
@@ -252,10 +254,13 @@ private:
   Legal_candidate with_fewer(Legal_candidate best, double goal)
   {
     for (;;) {
+      // where the wanted distortion is far away, a pair is to lower E by a hundredth at least
+      const double most = price(best) + std::max(0.0, least_gain * best.distortion - m_options.worth);
       const std::optional<Candidate> c = m_search.without_pair(m_search.relaxed(best.divisor));
-      if (!c || c->count() < m_counts.least || c->energy > goal || price(*c) > price(best) + m_options.worth) return best;
+      if (!c || c->count() < m_counts.least || c->energy > goal || price(*c) > most + m_options.worth) return best;
+      tell(*c);
       std::optional<Legal_candidate> fewer = legal_within(*c, goal);
-      if (!fewer || price(*fewer) > price(best)) return best;
+      if (!fewer || price(*fewer) > most) return best;
       best = std::move(*fewer);
     }
   }
@@ -284,6 +289,14 @@ private:
     return best;
   }
 
+  bool is_met() const
+  {
+    const auto& met = m_search.best_by_count();
+    return std::any_of(met.begin(), met.end(), [&](const auto& c) {
+      return c.first >= m_counts.least && c.second.energy <= slack * m_options.distortion;
+    });
+  }
+
   bool has_room(const Candidate& c) const { return c.count() + 2 <= std::max(m_options.most_singularities, m_counts.least); }
 
   void adjust_count(Candidate c)
@@ -300,6 +313,7 @@ private:
   Candidate grown(Candidate c, double wanted)
   {
     Candidate best = c;
+    const int most_failures = is_met() ? patience_where_met : patience;
     int failed = 0;
     while ((c.energy > wanted || c.count() < m_counts.least) && has_room(c)) {
       std::optional<Candidate> more = m_search.with_pair(c);
@@ -310,7 +324,7 @@ private:
       if (c.energy <= best.energy - m_options.worth * pairs || c.count() <= m_counts.least) {
         best = c;
         failed = 0;
-      } else if (++failed > patience) {
+      } else if (++failed > most_failures) {
         break;
       }
     }

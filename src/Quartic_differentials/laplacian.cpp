@@ -89,10 +89,9 @@ std::vector<double> cotangent_weights(const Intrinsic_triangulation& t, const st
     const auto h = t.halfedges(f);
     const double a = lengths[t.edge(h[0])], b = lengths[t.edge(h[1])], c = lengths[t.edge(h[2])];
     const double area4 = std::max(four_times_area(a, b, c), std::numeric_limits<double>::min());
-    const double aa = a * a, bb = b * b, cc = c * c;
-    weights[t.edge(h[0])] += 0.5 * (bb + cc - aa) / area4;   // cot = (b^2 + c^2 - a^2) / (4 area)
-    weights[t.edge(h[1])] += 0.5 * (cc + aa - bb) / area4;
-    weights[t.edge(h[2])] += 0.5 * (aa + bb - cc) / area4;
+    weights[t.edge(h[0])] += 0.5 * twice_scalar_product(a, b, c) / area4;
+    weights[t.edge(h[1])] += 0.5 * twice_scalar_product(b, c, a) / area4;
+    weights[t.edge(h[2])] += 0.5 * twice_scalar_product(c, a, b) / area4;
   }
   return weights;
 }

@@ -17,13 +17,9 @@ namespace {
 // sigma_1 / sigma_2 of the map of a triangle to the plane, given both sets of lengths
 double conformal_distortion(const std::array<double, 3>& l, const std::array<double, 3>& flat)
 {
-  // x = (sigma_1^2 + sigma_2^2) / (2 sigma_1 sigma_2) = Sum_k cot_k flat_k^2 / (4 flat area),
-  // cot_k = (b^2 + c^2 - a^2) / (4 area)
+  // x = (sigma_1^2 + sigma_2^2) / (2 sigma_1 sigma_2) = Sum_k cot_k flat_k^2 / (4 flat area)
   double energy = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double a = l[k], b = l[(k + 1) % 3], c = l[(k + 2) % 3];
-    energy += (b * b + c * c - a * a) * flat[k] * flat[k];
-  }
+  for (int k = 0; k < 3; ++k) energy += twice_scalar_product(l[k], l[(k + 1) % 3], l[(k + 2) % 3]) * flat[k] * flat[k];
   const double areas = four_times_area(l[0], l[1], l[2]) * four_times_area(flat[0], flat[1], flat[2]);
   const double x = std::max(1.0, energy / areas);
   return x + std::sqrt(x * x - 1);

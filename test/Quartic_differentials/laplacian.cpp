@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The Laplacian is solved to rounding however the solver came to it: factorised anew, with the order of elimination of
-// another triangulation, or near one that was factorised.
+// another triangulation, or near one that was factorised. Its weights, and the angles, are right in needles too.
 
 #include "check.h"
 #include "named_surfaces.h"
@@ -12,6 +12,9 @@
 #include <CGAL/Quartic_differentials/laplacian.h>
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -142,6 +145,37 @@ void order_of_another_surface(std::mt19937& random)
   CHECK_NEAR(residual(torus_b, w, b.solve(rhs), rhs), 0, 1e-9);
 }
 
+// A triangle by itself: its angles and weights against 100 digits.
+void needle(double a, double b, double c)
+{
+  using Many_digits = boost::multiprecision::cpp_bin_float_100;
+  Glued_triangles glued;
+  glued.triangles = {{0, 1, 2}};
+  glued.opposite = {{std::array<int, 2>{-1, -1}, {-1, -1}, {-1, -1}}};
+  glued.lengths = {{a, b, c}};
+  const Intrinsic_triangulation t(glued);
+  const auto h = t.halfedges(*t.faces().begin());
+  const std::vector<double> angles = corner_angles(t, t.lengths()), weights = cotangent_weights(t, t.lengths());
+  const std::array<Many_digits, 3> l{t.length(h[0]), t.length(h[1]), t.length(h[2])};
+  const Many_digits s = (l[0] + l[1] + l[2]) / 2, area4 = 4 * sqrt(s * (s - l[0]) * (s - l[1]) * (s - l[2]));
+  for (int k = 0; k < 3; ++k) {
+    const Many_digits &x = l[(k + 1) % 3], &y = l[(k + 2) % 3], scalar2 = x * x + y * y - l[k] * l[k];
+    const double angle = static_cast<double>(atan2(area4, scalar2)), weight = static_cast<double>(scalar2 / (2 * area4));
+    CHECK_NEAR(angles[h[(k + 2) % 3]], angle, 2e-15 * angle);
+    CHECK_NEAR(weights[t.edge(h[k])], weight, 4e-15 * (0.5 + std::abs(weight)));
+  }
+}
+
+void needles(std::mt19937& random)
+{
+  for (int k = 0; k < 3000; ++k) {
+    const double tiny = std::pow(10, Quartic_test::uniform(random, -9, 0)), b = Quartic_test::uniform(random, 1, 2);
+    needle(tiny, b, b + tiny * Quartic_test::uniform(random, -0.99, 0.99));   // with a short side
+    const double a = Quartic_test::uniform(random, 0.5, 2);
+    needle(a, b, (a + b) * (1 - 0.1 * tiny));                                 // with an angle near pi
+  }
+}
+
 void no_right_hand_sides(const Intrinsic_triangulation& t)
 {
   Laplacian_solver solver;
@@ -176,5 +210,6 @@ int main()
   near_and_far(Intrinsic_triangulation(torus(3, 1, 500, 201)), random);
   nested_dissection(Intrinsic_triangulation(torus(3, 1, 1000, 301)), random);
   order_of_another_surface(random);
+  needles(random);
   return Quartic_test::result();
 }

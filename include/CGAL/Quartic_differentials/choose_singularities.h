@@ -21,7 +21,7 @@ namespace Quartic_differentials {
 /// Where the search for singularities starts.
 enum class Singularity_start
 {
-  automatic,   ///< pairs, and the field where it has few singularities; the better of the two
+  automatic,   ///< the field where it has few singularities, and pairs; the better of the two
   curvature,   ///< the paper's: extrema of the curvature; of closed surfaces only
   field,       ///< the singularities of the smoothest 4-direction field, from which pairs are taken away
   pairs        ///< the least number, to which pairs of a pole and a zero are added
@@ -81,9 +81,9 @@ struct Chosen_singularities
 /// least.
 ///
 /// Ignoring the Abel-Jacobi condition at first, it adds the pole and zero that lower E most (exactly, by Green's
-/// functions), moves all to a local minimum, takes away pairs that are not worth it, merges zeros that meet, and at last
-/// looks for the best of the nearest lattice vectors. Large surfaces are searched on an intrinsic coarsening.
-/// Deterministic.
+/// functions), moves all to a local minimum, takes away pairs that are not worth it, merges zeros that meet, looks for
+/// the best of the nearest lattice vectors, and goes on from there. Large surfaces are searched on an intrinsic coarsening.
+/// Deterministic, but a change in the last digit of a coordinate may lead to another choice as good.
 /// \param surface of one with boundary `periods` and `zeros` are not used
 /// \param given singularities and corners that must be part of it; they stay where they are if they are pinned
 /// \throws Infeasible_divisor_error if the count is below the least possible one, or no legal divisor was found

@@ -39,8 +39,8 @@ FT norm(const FT& x, const FT& y)
 template <class FT>
 FT euclidean_diagonal(const FT& e, const FT& a, const FT& b, const FT& c, const FT& d)
 {
-  const FT kx = (e * e + b * b - a * a) / (2 * e), ky = four_times_area(e, a, b) / (2 * e);
-  const FT lx = (e * e + c * c - d * d) / (2 * e), ly = four_times_area(e, c, d) / (2 * e);
+  const FT kx = twice_scalar_product(a, e, b) / (2 * e), ky = four_times_area(e, a, b) / (2 * e);
+  const FT lx = twice_scalar_product(d, e, c) / (2 * e), ly = four_times_area(e, c, d) / (2 * e);
   return internal::norm(FT(kx - lx), FT(ky + ly));
 }
 

@@ -140,7 +140,7 @@ private:
     const auto h = t.halfedges(f);
     const FT &a = m_length[t.edge(h[0])], &b = m_length[t.edge(h[1])], &c = m_length[t.edge(h[2])];
     return {Point{FT(0), FT(0)}, Point{a, FT(0)},
-            Point{FT((a * a + c * c - b * b) / (2 * a)), FT(four_times_area(a, b, c) / (2 * a))}};
+            Point{FT(twice_scalar_product(b, c, a) / (2 * a)), FT(four_times_area(a, b, c) / (2 * a))}};
   }
 
   std::vector<FT>                        m_length;   // by edge

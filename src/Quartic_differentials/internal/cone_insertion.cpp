@@ -24,7 +24,7 @@ using Complex = std::complex<double>;
 double angle_at_source(const Intrinsic_triangulation& t, Halfedge h)
 {
   const double out = t.length(h), in = t.length(t.prev(h)), across = t.length(t.next(h));
-  return std::atan2(four_times_area(out, in, across) / 2, (out * out + in * in - across * across) / 2);
+  return std::atan2(four_times_area(out, in, across), twice_scalar_product(across, out, in));
 }
 
 // The piece that holds z, with the barycentric coordinates of z in it.

@@ -69,9 +69,7 @@ template <class FT>
 std::array<FT, 2> exterior_turn(const FT& a, const FT& b, const FT& c)
 {
   using std::sqrt;
-  const FT &low = (std::min)(b, c), &high = (std::max)(b, c);
-  const FT x = (high - a) * (high + a) + low * low;   // without cancellation in needles
-  const FT y = four_times_area(a, b, c);              // both times 2 b c
+  const FT x = twice_scalar_product(a, b, c), y = four_times_area(a, b, c);   // both times 2 b c
   const FT norm = sqrt(FT(x * x + y * y));
   return {FT(-x / norm), FT(y / norm)};
 }
