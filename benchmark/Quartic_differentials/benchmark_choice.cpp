@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -66,8 +65,8 @@ void print_range(const char* format, const std::vector<Choice>& choices, double 
 {
   std::vector<double> x;
   for (const Choice& c : choices) x.push_back(c.*value);
-  std::sort(x.begin(), x.end());
-  for (double y : {x.front(), x[x.size() / 2], x.back()}) std::printf(format, y);
+  const auto [least, most] = std::minmax_element(x.begin(), x.end());
+  for (double y : {*least, median(x), *most}) std::printf(format, y);
 }
 
 } // namespace
@@ -91,7 +90,7 @@ int main(int argc, char** argv)
     std::vector<Choice> choices;
     for (int k = 0; k < runs; ++k) choices.push_back(choose(shaken(input, k == 0 ? 0 : 1e-13, random), {}));
     std::printf("| %s |", std::filesystem::path(file).stem().string().c_str());
-    print_range(" %.0f |", choices, &Choice::singularities);
+    print_range(" %g |", choices, &Choice::singularities);
     print_range(" %.4f |", choices, &Choice::distortion);
     print_range(" %.2f |", choices, &Choice::area_scale);
     print_range(" %.2f |", choices, &Choice::searching);

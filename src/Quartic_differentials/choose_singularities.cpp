@@ -207,7 +207,7 @@ private:
     for (int times : {0, exchanges})   // exchanges take as long as all else, and are rarely needed
       if (std::optional<Legal_candidate> legal = with_fewest(goal, times)) return improved(*legal, goal);
     std::optional<Legal_candidate> legal = with_best_price();
-    if (legal) legal = with_fewer(std::move(*legal), std::numeric_limits<double>::infinity());
+    if (legal) take_pairs_away(*legal, std::numeric_limits<double>::infinity());
     return legal;
   }
 
@@ -241,26 +241,29 @@ private:
   // The table's candidates are not where the lattice vectors took one of them: the search goes on from there.
   Legal_candidate improved(Legal_candidate best, double goal)
   {
-    best = with_fewer(std::move(best), goal);
+    const Candidate c = take_pairs_away(best, goal);
     if (best.distortion <= nearly_enough * m_options.distortion) return best;
-    const Candidate c = m_search.relaxed(best.divisor);
     const Candidate exchanged = m_search.exchanged(c, last_exchanges);
     if (exchanged.energy >= c.energy) return best;
     std::optional<Legal_candidate> better = legal_within(exchanged, goal);
-    return better && price(*better) < price(best) ? with_fewer(std::move(*better), goal) : best;
+    if (!better || price(*better) >= price(best)) return best;
+    take_pairs_away(*better, goal);
+    return *better;
   }
 
-  // takes pairs away from a legal divisor as long as they are not worth it and the goal is met
-  Legal_candidate with_fewer(Legal_candidate best, double goal)
+  // takes pairs away from a legal divisor as long as they are not worth it and the goal is met; returns the local
+  // minimum without the condition that is near the result
+  Candidate take_pairs_away(Legal_candidate& best, double goal)
   {
     for (;;) {
       // where the wanted distortion is far away, a pair is to lower E by a hundredth at least
       const double most = price(best) + std::max(0.0, least_gain * best.distortion - m_options.worth);
-      const std::optional<Candidate> c = m_search.without_pair(m_search.relaxed(best.divisor));
-      if (!c || c->count() < m_counts.least || c->energy > goal || price(*c) > most + m_options.worth) return best;
+      Candidate near = m_search.relaxed(best.divisor);
+      const std::optional<Candidate> c = m_search.without_pair(near);
+      if (!c || c->count() < m_counts.least || c->energy > goal || price(*c) > most + m_options.worth) return near;
       tell(*c);
       std::optional<Legal_candidate> fewer = legal_within(*c, goal);
-      if (!fewer || price(*fewer) > most) return best;
+      if (!fewer || price(*fewer) > most) return near;
       best = std::move(*fewer);
     }
   }
