@@ -208,11 +208,9 @@ template <class FT>
 FT four_times_area(FT a, FT b, FT c)
 {
   using std::sqrt;
-  using std::swap;
-  if (a < b) swap(a, b);
-  if (b < c) swap(b, c);
-  if (a < b) swap(a, b);
-  const FT x = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+  const FT most = (std::max)(a, (std::max)(b, c)), least = (std::min)(a, (std::min)(b, c));
+  const FT middle = (std::max)((std::min)(a, b), (std::min)((std::max)(a, b), c));   // sorted without jumps
+  const FT x = (most + (middle + least)) * (least - (most - middle)) * (least + (most - middle)) * (most + (middle - least));
   return x > 0 ? FT(sqrt(x)) : FT(0);
 }
 

@@ -24,9 +24,14 @@ inline std::complex<double> nearest_on_segment(std::complex<double> a, std::comp
   return s <= 0 ? a : s >= 1 ? b : a + s * e;
 }
 
-/// the square of the distance of the origin from the segment ab
-inline double squared_distance_to_segment(std::complex<double> a, std::complex<double> b)
-{ return std::norm(nearest_on_segment(a, b)); }
+/// whether the segment ab has a point whose distance from the origin is at most the root of `squared_radius`
+inline bool comes_within(std::complex<double> a, std::complex<double> b, double squared_radius)
+{
+  const std::complex<double> e = b - a;
+  if (a.real() * e.real() + a.imag() * e.imag() >= 0) return std::norm(a) <= squared_radius;
+  if (b.real() * e.real() + b.imag() * e.imag() <= 0) return std::norm(b) <= squared_radius;
+  return cross(a, b) * cross(a, b) <= squared_radius * std::norm(e);
+}
 
 /// A face unfolded into the plane: where source, target and the vertex opposite one of its halfedges lie.
 struct Unfolded_face
@@ -64,27 +69,26 @@ public:
     for (auto& c : z) c -= origin;
     const auto h = m_t.halfedges(p.face);
     m_visit(Unfolded_face{h[0], z[0], z[1], z[2]}, Complex(0), Complex(0));
-    for (int k = 0; k < 3; ++k) cross_edge(h[k], z[k], z[(k + 1) % 3], z[k], z[(k + 1) % 3]);
+    for (int k = 0; k < 3; ++k)
+      if (const Complex right = z[k], left = z[(k + 1) % 3]; cross(right, left) > 0) cross_edge(h[k], right, left, right, left);
   }
 
 private:
   using Complex = std::complex<double>;
 
-  // leaves a face through h, whose ends lie at a and b, within the sector right .. left
+  // leaves a face through h, whose ends lie at a and b, within the sector right .. left, which is not empty and ends there
   void cross_edge(Halfedge h, Complex a, Complex b, Complex right, Complex left)
   {
-    if (cross(right, a) > 0) right = a;
-    if (cross(left, b) < 0) left = b;
-    if (cross(right, left) <= 0 || squared_distance_to_segment(a, b) > m_squared_radius) return;
+    if (!comes_within(a, b, m_squared_radius)) return;
     const Halfedge o = m_t.opposite(h);
     if (m_t.is_border(o)) return;
     const Halfedge n = m_t.next(o), p = m_t.prev(o);   // o runs from b to a
     const double e = m_t.length(o), l = m_t.length(n), r = m_t.length(p);   // apex: at distance l from a, r from b
-    const double x = twice_scalar_product(l, e, r) / (2 * e), y = four_times_area(e, l, r) / (2 * e);
-    const Complex c = b + (a - b) / std::abs(a - b) * Complex(x, y);
+    const Complex c = b + (a - b) * (Complex(twice_scalar_product(l, e, r), four_times_area(e, l, r)) / (2 * e * e));
     m_visit(Unfolded_face{o, b, a, c}, right, left);
-    cross_edge(n, a, c, right, left);
-    cross_edge(p, c, b, right, left);
+    const bool before_left = cross(c, left) > 0, after_right = cross(right, c) > 0;
+    if (after_right) cross_edge(n, a, c, right, before_left ? c : left);
+    if (before_left) cross_edge(p, c, b, after_right ? c : right, left);
   }
 
   const Intrinsic_triangulation& m_t;

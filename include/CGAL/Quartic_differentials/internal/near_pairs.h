@@ -30,10 +30,13 @@ void visit_near_pairs(const Intrinsic_triangulation& t, const std::vector<Surfac
   std::vector<std::pair<Face, std::size_t>> by_face;
   for (std::size_t i = 0; i < points.size(); ++i) by_face.emplace_back(points[i].face, i);
   std::sort(by_face.begin(), by_face.end());
+  std::vector<bool> holds_points(t.number_of_faces());
+  for (const Surface_point& p : points) holds_points[p.face.idx()] = true;
   for (std::size_t i = 0; i < points.size(); ++i)
     explore_geodesic_disk(t, points[i], radius, [&](const Unfolded_face& unfolded, std::complex<double> right,
                                                     std::complex<double> left) {
       const Face f = t.face(unfolded.halfedge);
+      if (!holds_points[f.idx()]) return;
       for (auto at = std::lower_bound(by_face.begin(), by_face.end(), std::make_pair(f, std::size_t(0)));
            at != by_face.end() && at->first == f; ++at) {
         if (at->second == i) continue;
