@@ -36,8 +36,6 @@ const int    first_iterations = 15;    // of the descent for each of them; the b
 const int    exchanges = 20;
 const int    most_that_fit = 700;      // disks of diameter 0.04 sqrt(area), about
 const double slack = 1.2;              // fewer singularities are worth that factor of the wanted distortion
-const double nearly_enough = 1.1;      // times the wanted distortion: above that exchanges are worth their time
-const int    last_exchanges = 2;
 const double least_gain = 0.01;        // of a pair in the end, part of E
 const double exchange_gain = 1.15;     // what exchanges may bring at the most, about
 const int    tried_when_missed = 4;    // counts that are legalized when the distortion cannot be met
@@ -115,7 +113,8 @@ Counts counts(const Abel_jacobi_map& map, const Divisor& given, const Singularit
   return {least, options.count + (options.count - least) % 2};
 }
 
-// The search on one surface, from the start to the best legal divisor.
+// The search on one surface, from the start to the best legal divisor. The first part, which ignores the Abel-Jacobi
+// condition, may be left to the search on a coarser surface.
 class Search
 {
 public:
@@ -130,10 +129,22 @@ public:
   {
   }
 
-  Chosen_singularities best()
+  // meets divisors of all counts of interest
+  std::vector<Start_of_search> explore()
+  {
+    std::vector<Start_of_search> explored;
+    for (Singularity_start start : starts()) explored.push_back(explore(start));
+    return explored;
+  }
+  // the best divisor that was met for every count, here or else on a coarser surface
+  const std::map<int, Candidate>& met() const { return m_met_elsewhere ? *m_met_elsewhere : m_search.best_by_count(); }
+  void take_over(std::map<int, Candidate> met) { m_met_elsewhere = std::move(met); }
+
+  // \param starts of the exploration. \pre divisors were met
+  Chosen_singularities best(std::vector<Start_of_search> starts)
   {
     Chosen_singularities result;
-    for (Singularity_start start : starts()) explore(start, result.starts);
+    result.starts = std::move(starts);
     const std::optional<Legal_candidate> legal = m_counts.wanted != 0 ? with_count(m_counts.wanted) : with_fewest();
     if (!legal && m_refusal.empty())
       throw Infeasible_divisor_error("no singularities were found: the surface has too few vertices at which they could "
@@ -180,44 +191,65 @@ private:
     return curvature_divisor(m_surface.delaunay, m_surface.weights, m_surface.laplacian, m_counts.wanted);
   }
 
-  // meets divisors of all counts of interest, from one start
-  void explore(Singularity_start start, std::vector<Start_of_search>& starts)
+  Start_of_search explore(Singularity_start start)
   {
     const Divisor first = start_divisor(start);
     const Eigen::VectorXd u = m_distortion.log_scale(first);
-    starts.push_back({start == Singularity_start::pairs ? "pairs" : start == Singularity_start::field ? "field" : "curvature",
-                      static_cast<int>(first.size()), m_distortion.energy(u), area_scale_ratio(u, m_distortion.mass())});
     const Candidate c = m_search.relaxed(first, 100);
     if (m_counts.wanted != 0) adjust_count(c);
     else prune(grown(c, m_options.distortion));
+    return {start == Singularity_start::pairs ? "pairs" : start == Singularity_start::field ? "field" : "curvature",
+            static_cast<int>(first.size()), m_distortion.energy(u), area_scale_ratio(u, m_distortion.mass())};
+  }
+
+  // a divisor that was met, as a local minimum on this surface
+  Candidate here(const Candidate& c) { return m_met_elsewhere ? m_search.relaxed(c.divisor) : c; }
+
+  // The triangles of a coarser surface may be too large for so many singularities, and its E too low: pairs are added here
+  // to the first count that was good enough there, or else to the one of the best price.
+  void explore_further()
+  {
+    const auto preferred = [&](const auto& a, const auto& b) {
+      const bool is_enough = a.second.energy <= m_options.distortion;
+      if (is_enough != (b.second.energy <= m_options.distortion)) return is_enough;
+      return is_enough ? a.first < b.first : price(a.second) < price(b.second);
+    };
+    prune(grown(here(std::min_element(met().begin(), met().end(), preferred)->second), m_options.distortion));
+    m_met_elsewhere.reset();
   }
 
   std::optional<Legal_candidate> with_count(int count)
   {
-    const auto found = m_search.best_by_count().find(count);
-    if (found == m_search.best_by_count().end())
+    const auto found = met().find(count);
+    if (found == met().end())
       throw Infeasible_divisor_error("the surface has no room for " + std::to_string(count) + " singularities");
-    return legal_best(m_search.exchanged(found->second, exchanges), lattice_vectors);
+    return legal_best(m_search.exchanged(here(found->second), exchanges), lattice_vectors);
   }
 
   // the fewest singularities that meet the wanted distortion; where none do, those of the best price
   std::optional<Legal_candidate> with_fewest()
   {
     const double goal = slack * m_options.distortion;
-    for (int times : {0, exchanges})   // exchanges take as long as all else, and are rarely needed
-      if (std::optional<Legal_candidate> legal = with_fewest(goal, times)) return improved(*legal, goal);
-    std::optional<Legal_candidate> legal = with_best_price();
-    if (legal) take_pairs_away(*legal, std::numeric_limits<double>::infinity());
-    return legal;
+    if (std::optional<Legal_candidate> legal = with_fewest(goal, 0)) return with_fewer_pairs(*legal, goal);
+    if (m_met_elsewhere) {
+      explore_further();
+      if (std::optional<Legal_candidate> legal = with_fewest(goal, 0)) return with_fewer_pairs(*legal, goal);
+    }
+    // exchanges take as long as all else, and are rarely needed
+    if (std::optional<Legal_candidate> legal = with_fewest(goal, exchanges)) return with_fewer_pairs(*legal, goal);
+    const std::optional<Legal_candidate> legal = with_best_price();
+    if (!legal) return std::nullopt;
+    return with_fewer_pairs(*legal, std::numeric_limits<double>::infinity());
   }
 
   // of the counts in ascending order the first that has a legal place which meets the goal, after some exchanges; fewer
   // where zeros can be merged
   std::optional<Legal_candidate> with_fewest(double goal, int times)
   {
-    const std::map<int, Candidate> met = m_search.best_by_count();
-    for (const auto& [count, candidate] : met) {
-      if (count < m_counts.least || candidate.energy > (times == 0 ? goal : exchange_gain * goal)) continue;
+    const std::map<int, Candidate> known = met();
+    for (const auto& [count, first_met] : known) {
+      if (count < m_counts.least || first_met.energy > (times == 0 ? goal : exchange_gain * goal)) continue;
+      const Candidate candidate = here(first_met);
       const Candidate c = m_search.exchanged(candidate, times);
       if (c.energy > goal || (times > 0 && c.energy == candidate.energy)) continue;   // or was refused without exchanges
       if (std::optional<Legal_candidate> legal = legal_within(c, goal)) return legal;
@@ -238,32 +270,18 @@ private:
     return legal;
   }
 
-  // The table's candidates are not where the lattice vectors took one of them: the search goes on from there.
-  Legal_candidate improved(Legal_candidate best, double goal)
-  {
-    const Candidate c = take_pairs_away(best, goal);
-    if (best.distortion <= nearly_enough * m_options.distortion) return best;
-    const Candidate exchanged = m_search.exchanged(c, last_exchanges);
-    if (exchanged.energy >= c.energy) return best;
-    std::optional<Legal_candidate> better = legal_within(exchanged, goal);
-    if (!better || price(*better) >= price(best)) return best;
-    take_pairs_away(*better, goal);
-    return *better;
-  }
-
-  // takes pairs away from a legal divisor as long as they are not worth it and the goal is met; returns the local
-  // minimum without the condition that is near the result
-  Candidate take_pairs_away(Legal_candidate& best, double goal)
+  // A candidate is not where a lattice vector took it: the search goes on from there. Pairs are taken away as long as they
+  // are not worth it and the goal is met.
+  Legal_candidate with_fewer_pairs(Legal_candidate best, double goal)
   {
     for (;;) {
       // where the wanted distortion is far away, a pair is to lower E by a hundredth at least
       const double most = price(best) + std::max(0.0, least_gain * best.distortion - m_options.worth);
-      Candidate near = m_search.relaxed(best.divisor);
-      const std::optional<Candidate> c = m_search.without_pair(near);
-      if (!c || c->count() < m_counts.least || c->energy > goal || price(*c) > most + m_options.worth) return near;
+      const std::optional<Candidate> c = m_search.without_pair(m_search.relaxed(best.divisor));
+      if (!c || c->count() < m_counts.least || c->energy > goal || price(*c) > most + m_options.worth) return best;
       tell(*c);
       std::optional<Legal_candidate> fewer = legal_within(*c, goal);
-      if (!fewer || price(*fewer) > most) return near;
+      if (!fewer || price(*fewer) > most) return best;
       best = std::move(*fewer);
     }
   }
@@ -276,7 +294,7 @@ private:
   std::optional<Legal_candidate> with_best_price()
   {
     std::vector<Candidate> candidates;
-    for (const auto& [count, candidate] : m_search.best_by_count())
+    for (const auto& [count, candidate] : met())
       if (count >= m_counts.least) candidates.push_back(candidate);
     std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
       return price(a) < price(b);
@@ -404,6 +422,8 @@ private:
   // of every count the best that was met, without those more distorted than one of fewer singularities
   std::vector<Pareto_point> pareto(const Legal_candidate& chosen)
   {
+    if (m_met_elsewhere)
+      for (const auto& [count, candidate] : *m_met_elsewhere) here(candidate);   // so that this surface's table has them all
     grown(m_search.best_by_count().begin()->second, 0.25 * m_options.distortion);
     std::map<int, Pareto_point> points;
     const std::map<int, Candidate> candidates = m_search.best_by_count();
@@ -438,22 +458,10 @@ private:
   Singularity_search         m_search;
   Counts                     m_counts;
   double                     m_size;
+  std::optional<std::map<int, Candidate>> m_met_elsewhere;   // on a coarser surface, carried here, not yet relaxed
   std::optional<Divisor>     m_field;
   std::string                m_refusal;
 };
-
-// The corner of a point's face that is nearest to it and not taken by another singularity; on the boundary only if no
-// other is left.
-Vertex free_corner(const Intrinsic_triangulation& t, const Surface_point& p, const std::vector<Vertex>& taken)
-{
-  std::array<int, 3> corners{0, 1, 2};
-  const auto h = t.halfedges(p.face);
-  std::sort(corners.begin(), corners.end(), [&](int a, int b) { return p.barycentric[a] > p.barycentric[b]; });
-  std::stable_partition(corners.begin(), corners.end(), [&](int c) { return !t.is_border(t.source(h[c])); });
-  for (int c : corners)
-    if (std::find(taken.begin(), taken.end(), t.source(h[c])) == taken.end()) return t.source(h[c]);
-  return t.source(h[corners[0]]);
-}
 
 // The place on the boundary of another triangulation that has the same boundary edges, by the vertex it has there.
 Surface_point same_place_on_boundary(const Intrinsic_triangulation& from, const Surface_point& p,
@@ -463,26 +471,20 @@ Surface_point same_place_on_boundary(const Intrinsic_triangulation& from, const 
   return on_edge(to, to.halfedge_from(vertex[from.source(place.halfedge)]), place.fraction);
 }
 
-// Carries a divisor from a coarse surface to vertices of the fine one; those that are given and pinned stay exactly
-// where they are, and corners on their boundary edges.
+// Carries a divisor from a coarse surface to the fine one; those that are given and pinned stay exactly where they are,
+// and corners on their boundary edges.
 Divisor on_fine_surface(const Riemann_surface& fine, const Coarse_surface& coarse, const Divisor& given, Divisor divisor)
 {
-  std::vector<Vertex> taken;
   for (std::size_t i = 0; i < divisor.size(); ++i) {
     Surface_point& p = divisor[i].location;
-    if (divisor[i].on_boundary && !divisor[i].pinned) {
-      p = same_place_on_boundary(coarse.triangulation, p, fine.delaunay, coarse.fine_vertex);
-      continue;
-    }
-    taken.push_back(free_corner(coarse.triangulation, p, taken));
     p = i < given.size() && given[i].pinned ? given[i].location
-      : internal::beside(fine.delaunay, coarse.fine_vertex[taken.back()]);
+      : divisor[i].on_boundary ? same_place_on_boundary(coarse.triangulation, p, fine.delaunay, coarse.fine_vertex)
+      : on_fine_surface(coarse, p, fine.delaunay);
   }
   return divisor;
 }
 
-// The vertices of the fine surface may be nearer to each other than the singularities on the coarse one: the guard
-// drives them apart.
+// On the fine surface singularities may be nearer to each other than on the coarse one: the guard drives them apart.
 Divisor separated(const Riemann_surface& s, const Divisor& divisor, Distortion_options options, Visitor& visitor)
 {
   if (collision(s.delaunay, divisor, coarse_least_distance).empty()) return divisor;
@@ -531,6 +533,26 @@ std::optional<Chosen_singularities> given_alone(const Riemann_surface& s, const 
   return Chosen_singularities{given, e, {start}, {}, s.delaunay.number_of_vertices(), distortion.solves()};
 }
 
+// The choice on a surface of moderate size. Where its singularities should be is explored on a coarser one, where the
+// thousands of descents take less time; what is found there is a local minimum here after a few steps.
+Chosen_singularities chosen_on(const Riemann_surface& s, const std::vector<double>& mass, const Divisor& given,
+                               const Singularity_choice_options& options, const Legalization_options& legalization,
+                               const Distortion_options& distortion, Visitor& visitor)
+{
+  Search search(s, mass, given, options, legalization, distortion, visitor);
+  if (s.delaunay.number_of_vertices() <= options.explored_vertices) return search.best(search.explore());
+
+  const Coarse_surface coarse = coarsened(s.delaunay, s.homology.cochains, mass, options.explored_vertices);
+  const Riemann_surface explored = riemann_surface(coarse);
+  Search exploration(explored, coarse.mass, on_coarse_surface(s, coarse, given), options, legalization, distortion,
+                     visitor);
+  std::vector<Start_of_search> starts = exploration.explore();
+  std::map<int, Candidate> met = exploration.met();
+  for (auto& [count, candidate] : met) candidate.divisor = on_fine_surface(s, coarse, given, std::move(candidate.divisor));
+  search.take_over(std::move(met));
+  return search.best(std::move(starts));
+}
+
 } // namespace
 
 Chosen_singularities choose_singularities(const Riemann_surface& surface, const Divisor& given,
@@ -541,12 +563,11 @@ Chosen_singularities choose_singularities(const Riemann_surface& surface, const 
   if (surface.delaunay.has_boundary())
     if (auto chosen = given_alone(surface, given, options, legalization.tolerance)) return *chosen;
   if (surface.delaunay.number_of_vertices() <= options.coarse_vertices)
-    return Search(surface, vertex_areas(surface.delaunay), given, options, legalization, distortion, visitor).best();
+    return chosen_on(surface, vertex_areas(surface.delaunay), given, options, legalization, distortion, visitor);
 
   const Coarse_surface coarse = coarsened(surface.delaunay, surface.homology.cochains, options.coarse_vertices);
-  const Riemann_surface searched = riemann_surface(coarse);
-  Chosen_singularities chosen = Search(searched, coarse.mass, on_coarse_surface(surface, coarse, given), options,
-                                       legalization, distortion, visitor).best();
+  Chosen_singularities chosen = chosen_on(riemann_surface(coarse), coarse.mass, on_coarse_surface(surface, coarse, given),
+                                          options, legalization, distortion, visitor);
   chosen.divisor = separated(surface, on_fine_surface(surface, coarse, given, std::move(chosen.divisor)), distortion,
                              visitor);
   return chosen;

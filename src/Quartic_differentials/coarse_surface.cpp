@@ -5,14 +5,18 @@
 #include <CGAL/Quartic_differentials/coarse_surface.h>
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
 #include <CGAL/Quartic_differentials/internal/geodesic_disk.h>
+#include <CGAL/Quartic_differentials/internal/surface_walk.h>
 #include <CGAL/Quartic_differentials/laplacian.h>
 
 #include <CGAL/number_utils.h>
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -28,6 +32,7 @@ const double      most_scaling = 8;      // of the squared lengths, when a verte
 const double      least_shape = 1e-5;    // 4 area / (sum of the squared sides) of a triangle that is made
 const std::size_t most_spokes = 64;      // so that a vertex is removed in constant time
 const double      round_share = 0.15;    // of the vertices may be removed before the flips to Delaunay
+const double      least_coordinate = 0.05;   // barycentric, of a point that is carried to the fine surface
 
 // The star of a vertex v without loops, flattened, and how it becomes a single triangle by flips of its spokes.
 // One object serves many vertices, so that nothing is allocated again.
@@ -181,7 +186,7 @@ std::vector<Vertex> order_of_removal(const Coarse_surface& s)
   return order;
 }
 
-// Flips the edges at v until three are left, and gives away its mass.
+// Flips the edges at v until three are left, gives away its mass, and notes where it was.
 void detach(Coarse_surface& s, Vertex v, const Flat_star& star)
 {
   Intrinsic_triangulation& t = s.triangulation;
@@ -192,7 +197,13 @@ void detach(Coarse_surface& s, Vertex v, const Flat_star& star)
   }
   const auto last = star.last_spokes();
   const auto b = star.barycentric();
-  for (int k = 0; k < 3; ++k) s.mass[t.target(last[k])] += b[k] * s.mass[v];
+  Removed_vertex removed{s.fine_vertex[v], {}, b};
+  for (int k = 0; k < 3; ++k) {
+    const Vertex w = t.target(last[k]);
+    s.mass[w] += b[k] * s.mass[v];
+    removed.corner[k] = s.fine_vertex[w];
+  }
+  s.removed.push_back(removed);
 }
 
 // Makes up to `most` vertices, no two of them neighbours, the middle of three faces that can be joined to one triangle.
@@ -282,19 +293,99 @@ Coarse_surface without(const Coarse_surface& s, const std::vector<char>& detache
   return result;
 }
 
+// The barycentric coordinates in a coarse face, continued linearly to the vertices of the fine surface, where not all of
+// them are 0.
+class Continued_coordinates
+{
+public:
+  Continued_coordinates(const Coarse_surface& coarse, Face f, std::size_t fine_vertices) : m_place(fine_vertices, -1)
+  {
+    const auto h = coarse.triangulation.halfedges(f);
+    for (int k = 0; k < 3; ++k) add(coarse.fine_vertex[coarse.triangulation.source(h[k])], Eigen::Vector3d::Unit(k));
+    for (auto r = coarse.removed.rbegin(); r != coarse.removed.rend(); ++r) {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (int k = 0; k < 3; ++k) sum += r->barycentric[k] * at(r->corner[k]);
+      if (!sum.isZero(0)) add(r->vertex, sum);
+    }
+  }
+
+  Eigen::Vector3d at(Vertex v) const
+  {
+    if (m_place[v] < 0) return Eigen::Vector3d::Zero();
+    return m_value[m_place[v]];
+  }
+  // the vertex where they are nearest to these values
+  Vertex nearest(const Eigen::Vector3d& values) const
+  {
+    const auto nearer = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+    { return (a - values).squaredNorm() < (b - values).squaredNorm(); };
+    return m_vertex[std::min_element(m_value.begin(), m_value.end(), nearer) - m_value.begin()];
+  }
+
+private:
+  void add(Vertex v, const Eigen::Vector3d& value)
+  {
+    if (m_place[v] >= 0) {   // a corner of the face for the second time
+      m_value[m_place[v]] += value;
+      return;
+    }
+    m_place[v] = static_cast<int>(m_vertex.size());
+    m_vertex.push_back(v);
+    m_value.push_back(value);
+  }
+
+  std::vector<int>             m_place;   // by vertex: in the next two, or -1
+  std::vector<Vertex>          m_vertex;
+  std::vector<Eigen::Vector3d> m_value;
+};
+
 } // namespace
 
 Coarse_surface coarsened(const Intrinsic_triangulation& t, const Integer_cochains& cochains, std::size_t vertices)
 {
-  Coarse_surface s{t, cochains, vertex_areas(t), {t.vertices().begin(), t.vertices().end()}};
+  return coarsened(t, cochains, vertex_areas(t), vertices);
+}
+
+Coarse_surface coarsened(const Intrinsic_triangulation& t, const Integer_cochains& cochains, std::vector<double> mass,
+                         std::size_t vertices)
+{
+  Coarse_surface s{t, cochains, std::move(mass), {t.vertices().begin(), t.vertices().end()}, {}};
   while (s.mass.size() > vertices) {
     const std::size_t share = static_cast<std::size_t>(round_share * s.mass.size()) + 1;
     const std::vector<char> detached = detach_vertices(s, std::min(s.mass.size() - vertices, share));
     if (std::none_of(detached.begin(), detached.end(), [](char d) { return d; })) break;
-    s = without(s, detached);
+    Coarse_surface fewer = without(s, detached);
+    fewer.removed = std::move(s.removed);
+    s = std::move(fewer);
     make_delaunay(s.triangulation, s.cochains);
   }
   return s;
+}
+
+Surface_point on_fine_surface(const Coarse_surface& coarse, const Surface_point& p, const Intrinsic_triangulation& fine)
+{
+  const Continued_coordinates coordinates(coarse, p.face, fine.number_of_vertices());
+  const Eigen::Vector3d goal(p.barycentric[0], p.barycentric[1], p.barycentric[2]);
+  const Vertex v = coordinates.nearest(goal);
+  Surface_point best;
+  double most_inside = -std::numeric_limits<double>::infinity();
+  const Halfedge first = fine.halfedge_from(v);
+  Halfedge h = first;
+  do {   // of the faces round the vertex the one in which the point is, or that it is nearest to being in
+    Surface_point q{fine.face(h)};
+    const auto corner = fine.halfedges(q.face);
+    const Eigen::Vector3d origin = coordinates.at(fine.source(corner[0]));
+    Eigen::Matrix<double, 3, 2> sides;
+    sides << coordinates.at(fine.source(corner[1])) - origin, coordinates.at(fine.source(corner[2])) - origin;
+    const Eigen::Vector2d x = sides.colPivHouseholderQr().solve(goal - origin);
+    q.barycentric = {1 - x.sum(), x[0], x[1]};
+    if (const double least = std::min({1 - x.sum(), x[0], x[1]}); least > most_inside) {
+      most_inside = least;
+      best = q;
+    }
+    h = fine.next_around_source(h);
+  } while (h != first && !fine.is_border(h));
+  return internal::moved_inside(best, least_coordinate);
 }
 
 } } // namespace CGAL::Quartic_differentials

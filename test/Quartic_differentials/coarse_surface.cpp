@@ -108,7 +108,7 @@ void test_validity(const Fine_surface& fine, const Coarse_surface& coarse)
 bool equal(const Coarse_surface& a, const Coarse_surface& b)
 {
   return a.triangulation.lengths() == b.triangulation.lengths() && a.cochains.values() == b.cochains.values()
-      && a.mass == b.mass && a.fine_vertex == b.fine_vertex;
+      && a.mass == b.mass && a.fine_vertex == b.fine_vertex && a.removed.size() == b.removed.size();
 }
 
 // The curvatures of cones, of total `turns` quarter turns, at the same places of both surfaces.
@@ -167,6 +167,19 @@ void test_surface(const Quartic_test::Named_surface& named, std::size_t vertices
   CHECK(equal(coarse, fine.coarsened(vertices)));
 }
 
+// A vertex comes to lie beside itself.
+void test_points_at_vertices(const Quartic_test::Named_surface& named)
+{
+  const Fine_surface fine(named.surface);
+  const Coarse_surface coarse = fine.coarsened(named.surface.number_of_vertices() / 4);
+  for (Vertex v : coarse.triangulation.vertices()) {
+    const Surface_point q = on_fine_surface(coarse, at_vertex(coarse.triangulation, v), fine.triangulation);
+    const auto h = fine.triangulation.halfedges(q.face);
+    const auto most = std::max_element(q.barycentric.begin(), q.barycentric.end()) - q.barycentric.begin();
+    CHECK(fine.triangulation.source(h[most]) == coarse.fine_vertex[v] && q.barycentric[most] > 0.9);
+  }
+}
+
 // as far as it goes
 void test_fewest_vertices(const Quartic_test::Named_surface& named)
 {
@@ -184,7 +197,7 @@ void test_small_surface()
   std::vector<Vertex> all(fine.triangulation.vertices().begin(), fine.triangulation.vertices().end());
   for (std::size_t vertices : {n, n + 1, 10 * n})
     CHECK(equal(fine.coarsened(vertices),
-                {fine.triangulation, fine.cochains, vertex_areas(fine.triangulation), all}));
+                {fine.triangulation, fine.cochains, vertex_areas(fine.triangulation), all, {}}));
 }
 
 // On a flat torus nothing is lost but vertices: linear functions are harmonic on every triangulation.
@@ -208,6 +221,67 @@ void test_flat_torus()
     CHECK_NEAR(largest(after.periods() - before.periods()), 0, 1e-12);
     CHECK_NEAR(largest(after.curvature()), 0, 1e-11);
   }
+}
+
+// A flat torus of n x n squares, each cut in two; vertex i + n j is at (i, j) / n.
+Glued_triangles grid_torus(int n)
+{
+  Glued_triangles g;
+  const double side = 1.0 / n, diagonal = std::sqrt(2.0) / n;
+  const auto vertex = [n](int i, int j) { return (i + n) % n + n * ((j + n) % n); };
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      g.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      g.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+      g.opposite.push_back({{{2 * vertex(i, j - 1) + 1, 1}, {2 * vertex(i + 1, j) + 1, 2}, {2 * vertex(i, j) + 1, 0}}});
+      g.opposite.push_back({{{2 * vertex(i, j), 2}, {2 * vertex(i, j + 1), 0}, {2 * vertex(i - 1, j), 1}}});
+      g.lengths.push_back({side, side, diagonal});
+      g.lengths.push_back({diagonal, side, side});
+    }
+  return g;
+}
+
+// The way from one place on the grid torus to another, the shortest.
+std::complex<double> way(std::complex<double> from, std::complex<double> to)
+{
+  const std::complex<double> z = to - from;
+  return {z.real() - std::round(z.real()), z.imag() - std::round(z.imag())};
+}
+
+// The place of a point of a face of which the corners are these vertices of the grid torus.
+std::complex<double> place(const std::array<Vertex, 3>& corner, const std::array<double, 3>& barycentric, int n)
+{
+  std::array<std::complex<double>, 3> at;
+  for (int k = 0; k < 3; ++k)
+    at[k] = std::complex<double>(static_cast<int>(corner[k].idx()) % n, static_cast<int>(corner[k].idx()) / n) / double(n);
+  return at[0] + barycentric[1] * way(at[0], at[1]) + barycentric[2] * way(at[0], at[2]);
+}
+
+// Points of a coarse flat torus come to lie near the place where they were: on average at less than half the distance of
+// the nearest corner of their face.
+void test_points(std::mt19937& random)
+{
+  const int n = 12;
+  const Fine_surface fine{Intrinsic_triangulation(grid_torus(n))};
+  const Coarse_surface coarse = fine.coarsened(30);
+  CHECK_EQUAL(coarse.removed.size(), std::size_t(n * n - 30));
+  double to_itself = 0, to_corners = 0;
+  for (Face f : coarse.triangulation.faces()) {
+    const double a = Quartic_test::uniform(random, 0, 1), b = Quartic_test::uniform(random, 0, 1 - a);
+    const Surface_point p{f, {a, b, 1 - a - b}}, q = on_fine_surface(coarse, p, fine.triangulation);
+    std::array<Vertex, 3> from, to;
+    for (int k = 0; k < 3; ++k) {
+      from[k] = coarse.fine_vertex[coarse.triangulation.source(coarse.triangulation.halfedges(f)[k])];
+      to[k] = fine.triangulation.source(fine.triangulation.halfedges(q.face)[k]);
+    }
+    const std::complex<double> at = place(from, p.barycentric, n);
+    to_itself += std::abs(way(at, place(to, q.barycentric, n)));
+    to_corners += std::min({std::abs(way(at, place(from, {1, 0, 0}, n))), std::abs(way(at, place(from, {0, 1, 0}, n))),
+                            std::abs(way(at, place(from, {0, 0, 1}, n)))});
+    CHECK(*std::min_element(q.barycentric.begin(), q.barycentric.end()) > 0.04);
+  }
+  std::cout << "carried to a flat torus: " << to_itself / to_corners << " of the distance to corners" << std::endl;
+  CHECK(to_itself < 0.5 * to_corners);
 }
 
 // A regular tetrahedron becomes two copies of its base, and its fourth vertex goes to the others in equal parts.
@@ -236,6 +310,7 @@ int main()
     const std::size_t n = s.surface.number_of_vertices();
     test_surface(s, n / 2, {0.003, 0.02, 0.06, 0.05});
     test_surface(s, n / 4, {0.006, 0.03, 0.2, 0.15});   // point charges are coarse at some 200 vertices
+    test_points_at_vertices(s);
     test_fewest_vertices(s);
   }
   for (const auto& s : Quartic_test::real_surfaces({"rockerarm_20k", "buddha_20k", "neptune_30k", "bracket_29k",
@@ -245,6 +320,8 @@ int main()
   }
   test_small_surface();
   test_flat_torus();
+  std::mt19937 random(4);
+  test_points(random);
   test_tetrahedron();
   return Quartic_test::result();
 }

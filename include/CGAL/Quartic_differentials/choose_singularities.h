@@ -39,6 +39,7 @@ struct Singularity_choice_options
   double            worth      = 5e-4;   ///< a pair of singularities has to lower E by this
   int               most_singularities = 200;
   std::size_t       coarse_vertices = 10000;   ///< larger surfaces are coarsened to that for the search
+  std::size_t       explored_vertices = 5000;  ///< and to that for its first part, without the Abel-Jacobi condition
   std::size_t       field_limit = 150;   ///< `automatic` ignores fields with more singularities
   unsigned          seed       = 0;      ///< of the field's eigenvector
   bool              pareto     = false;  ///< find the least distortion for every count, up to a quarter of the wanted one
@@ -52,7 +53,7 @@ struct Pareto_point
   double area_scale_ratio;   ///< 99% / 1% quantile ratio of e^2u, linearised
 };
 
-/// A divisor from which the search started, neither legal nor optimised.
+/// A divisor from which the search started, neither legal nor optimised, on the surface of the search's first part.
 struct Start_of_search
 {
   std::string name;               ///< "curvature", "field" or "pairs"
@@ -82,7 +83,7 @@ struct Chosen_singularities
 ///
 /// Ignoring the Abel-Jacobi condition at first, it adds the pole and zero that lower E most (exactly, by Green's
 /// functions), moves all to a local minimum, takes away pairs that are not worth it, merges zeros that meet, looks for
-/// the best of the nearest lattice vectors, and goes on from there. Large surfaces are searched on an intrinsic coarsening.
+/// the best of the nearest lattice vectors, and goes on from there. Large surfaces are searched on intrinsic coarsenings.
 /// Deterministic, but a change in the last digit of a coordinate may lead to another choice as good.
 /// \param surface of one with boundary `periods` and `zeros` are not used
 /// \param given singularities and corners that must be part of it; they stay where they are if they are pinned

@@ -8,11 +8,20 @@
 #include <CGAL/Quartic_differentials/Integer_cochains.h>
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Quartic_differentials {
+
+/// A vertex of the fine surface that the coarse one lacks: where it was between three others when it was removed.
+struct Removed_vertex
+{
+  Vertex                vertex;        ///< of the fine surface, as the next
+  std::array<Vertex, 3> corner;        ///< left on the coarse surface, or removed later
+  std::array<double, 3> barycentric;
+};
 
 /// A surface of fewer triangles with nearly the same conformal structure: some of the vertices, and new edge lengths.
 struct Coarse_surface
@@ -21,6 +30,7 @@ struct Coarse_surface
   Integer_cochains        cochains;        ///< the same cohomology classes
   std::vector<double>     mass;            ///< by vertex: its share of the area of the fine surface (they sum up to it)
   std::vector<Vertex>     fine_vertex;     ///< by vertex: the vertex of the fine surface that it is
+  std::vector<Removed_vertex> removed;     ///< the other vertices of the fine surface, in the order of their removal
 };
 
 /// removes vertices until `vertices` are left, or none can be removed, deterministically.
@@ -38,6 +48,15 @@ struct Coarse_surface
 /// Source: Liu, Gillespie, Chislett, Sharp, Jacobson and Crane, "Surface simplification using intrinsic error metrics",
 /// 2023, with another order of removal.
 Coarse_surface coarsened(const Intrinsic_triangulation& t, const Integer_cochains& cochains, std::size_t vertices);
+/// the same with given masses for the fine vertices' shares of the area, as those of a surface that is coarse itself
+Coarse_surface coarsened(const Intrinsic_triangulation& t, const Integer_cochains& cochains, std::vector<double> mass,
+                         std::size_t vertices);
+
+/// the place on the fine surface of a point of the coarse one, nearly: in the interior of a face, where the barycentric
+/// coordinates of the point, as functions that are continued linearly to the removed vertices, have their values.
+/// A vertex comes to lie beside itself, if the three corners of the face differ.
+/// Complexity: linear in the vertices of the fine surface.
+Surface_point on_fine_surface(const Coarse_surface& coarse, const Surface_point& p, const Intrinsic_triangulation& fine);
 
 } } // namespace CGAL::Quartic_differentials
 
