@@ -400,6 +400,8 @@ void test_coarse_search()
   Singularity_choice_options options;
   options.coarse_vertices = s.triangulation().number_of_vertices() / 3;
   check_choice("turned hole, on a coarsening", s, corners, options);
+  options.explored_vertices = options.coarse_vertices / 2;
+  check_choice("turned hole, explored on another", s, corners, options);
 }
 
 void test_real_surfaces()

@@ -116,6 +116,7 @@ void test_given()
     Singularity_choice_options options;
     options.count = 20;
     options.coarse_vertices = coarse;
+    options.explored_vertices = coarse / 2;
     const Chosen_singularities c = s.chosen(options, given);
     CHECK_EQUAL(c.divisor.size(), 20u);
     CHECK_EQUAL(degree(c.divisor), 8);
@@ -148,16 +149,35 @@ void test_coarse()
   CHECK_NEAR(polished, coarse.distortion, 0.08 * coarse.distortion);
 }
 
+// What was explored on far too few vertices is no choice yet: the search goes on where it meets the wanted distortion.
+void test_exploration_too_coarse()
+{
+  Setting s{Intrinsic_triangulation(handle_chain(3, 12))};
+  Singularity_choice_options options;
+  for (std::size_t explored : {40, 80, 200}) {
+    options.explored_vertices = explored;
+    const Chosen_singularities c = s.chosen(options);
+    std::cout << "explored on " << explored << " vertices: " << c.divisor.size() << " singularities, distortion "
+              << c.distortion << std::endl;
+    CHECK(c.distortion <= 0.012);
+    CHECK_EQUAL(c.searched_vertices, s.surface.delaunay.number_of_vertices());
+    CHECK_NEAR(c.distortion, s.energy(c.divisor), 1e-9);
+  }
+}
+
 void test_pareto()
 {
   Setting s{Intrinsic_triangulation(handle_chain(2, 8))};
   Singularity_choice_options options;
   options.pareto = true;
-  const Chosen_singularities c = s.chosen(options);
-  CHECK(c.pareto.size() >= 5);
-  for (std::size_t k = 1; k < c.pareto.size(); ++k) CHECK(c.pareto[k].count > c.pareto[k - 1].count);
-  CHECK(c.pareto.front().distortion > c.pareto.back().distortion);
-  CHECK(c.pareto.front().area_scale_ratio > c.pareto.back().area_scale_ratio);
+  for (std::size_t explored : {options.explored_vertices, s.surface.delaunay.number_of_vertices() / 2}) {
+    options.explored_vertices = explored;
+    const Chosen_singularities c = s.chosen(options);
+    CHECK(c.pareto.size() >= 5);
+    for (std::size_t k = 1; k < c.pareto.size(); ++k) CHECK(c.pareto[k].count > c.pareto[k - 1].count);
+    CHECK(c.pareto.front().distortion > c.pareto.back().distortion);
+    CHECK(c.pareto.front().area_scale_ratio > c.pareto.back().area_scale_ratio);
+  }
 }
 
 // The moves of the search, with singularities that met: an opposite pair annihilates, two zeros become one of order 2,
@@ -216,6 +236,7 @@ int main()
   test_starts();
   test_given();
   test_coarse();
+  test_exploration_too_coarse();
   test_pareto();
   return Quartic_test::result();
 }

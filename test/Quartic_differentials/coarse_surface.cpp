@@ -108,7 +108,11 @@ void test_validity(const Fine_surface& fine, const Coarse_surface& coarse)
 bool equal(const Coarse_surface& a, const Coarse_surface& b)
 {
   return a.triangulation.lengths() == b.triangulation.lengths() && a.cochains.values() == b.cochains.values()
-      && a.mass == b.mass && a.fine_vertex == b.fine_vertex && a.removed.size() == b.removed.size();
+      && a.mass == b.mass && a.fine_vertex == b.fine_vertex
+      && std::equal(a.removed.begin(), a.removed.end(), b.removed.begin(), b.removed.end(),
+                    [](const Removed_vertex& v, const Removed_vertex& w) {
+           return v.vertex == w.vertex && v.corner == w.corner && v.barycentric == w.barycentric;
+         });
 }
 
 // The curvatures of cones, of total `turns` quarter turns, at the same places of both surfaces.

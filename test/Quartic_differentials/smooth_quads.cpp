@@ -127,25 +127,20 @@ void check_pipeline(const char* name, Mesh mesh, std::size_t quads)
   CHECK(moved > 0);   // singularities slide too
 }
 
-/// the least scaled Jacobian of a quad before the worst ones are raised, and after
-struct Worst
-{
-  double before, after;
-};
-
 /// where the surface is thin against its quads, the worst ones become better than the energy alone would make them, and
 /// than single vertices could become by short steps (0.33, 0.05 and 0.21 instead of 0.48, 0.51 and 0.65 on the surfaces
-/// of genus 2, 2 and 3 that were measured)
-Worst check_thin(int genus, int n, double stretch, std::size_t quads)
+/// of genus 2, 2 and 3 that were measured); returns whether there were such quads
+bool check_thin(int genus, int n, double stretch, std::size_t quads)
 {
   const Intrinsic_triangulation input(stretched(handle_chain(genus, n), stretch));
   Quad_mesh m = pipeline_quads("stretched", run_pipeline(input), quads);
   const Smoothing_report report = check_smoothing(input, {}, m);
-  const Worst worst{report.history[report.lowered].least, report.history.back().least};
-  std::cout << "  " << worst.before << " after the first " << report.lowered << " sweeps" << std::endl;
-  CHECK(worst.after > 0.3);
-  if (worst.before < Smoothing_options().guard) CHECK(worst.after > worst.before + 0.01);
-  return worst;
+  const double before = report.history[report.lowered].least;
+  std::cout << "  " << before << " after the first " << report.lowered << " sweeps" << std::endl;
+  CHECK(report.history.back().least > 0.4);
+  if (before >= Smoothing_options().guard) return false;
+  CHECK(report.history.back().least > before + 0.01);
+  return true;
 }
 
 /// the quads of n x m on every other vertex of a torus of 2n x 2m
@@ -222,16 +217,10 @@ int main()
   check_pipeline("genus 2", handle_chain(2, 8), 150);
   check_pipeline("genus 2", handle_chain(2, 8), 1000);
   int thin = 0;
-  double sum = 0;
   for (int genus : {2, 3})
     for (int n : {6, 8})
-      for (double stretch : {4., 6.}) {
-        const Worst worst = check_thin(genus, n, stretch, genus == 2 ? 100 : 250);
-        thin += worst.before < Smoothing_options().guard;
-        sum += worst.after;
-      }
-  CHECK(thin >= 3);        // so that it is seen
-  CHECK(sum / 8 > 0.55);   // which layout a surface gets is a matter of chance, but not of all eight
+      for (double stretch : {4., 6.}) thin += check_thin(genus, n, stretch, genus == 2 ? 100 : 250);
+  CHECK(thin >= 3);   // so that it is seen
   for (int k = 0; k < 3; ++k) check_spoiled(24, 12, random);
   check_turned_over();
   Quad_mesh m;

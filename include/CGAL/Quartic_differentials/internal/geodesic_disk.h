@@ -84,7 +84,8 @@ private:
     if (m_t.is_border(o)) return;
     const Halfedge n = m_t.next(o), p = m_t.prev(o);   // o runs from b to a
     const double e = m_t.length(o), l = m_t.length(n), r = m_t.length(p);   // apex: at distance l from a, r from b
-    const Complex c = b + (a - b) * (Complex(twice_scalar_product(l, e, r), four_times_area(e, l, r)) / (2 * e * e));
+    const double x = twice_scalar_product(l, e, r) / (2 * e), y = four_times_area(e, l, r) / (2 * e);
+    const Complex c = b + (a - b) / std::abs(a - b) * Complex(x, y);
     m_visit(Unfolded_face{o, b, a, c}, right, left);
     const bool before_left = cross(c, left) > 0, after_right = cross(right, c) > 0;
     if (after_right) cross_edge(n, a, c, right, before_left ? c : left);
