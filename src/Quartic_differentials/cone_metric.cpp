@@ -122,10 +122,10 @@ void relax(const Intrinsic_triangulation& t, const std::vector<double>& weights,
     }
 }
 
-// The relative error with which a step of Newton's method is to be solved for, so that what it adds is small against what
-// the step leaves anyway, about the square of the error, or against the goal (Dembo, Eisenstat and Steihaug, "Inexact
+// The relative residual with which a step of Newton's method is to be solved for, so that it adds no more than the step
+// leaves anyway, a fraction of the square of the error, and less than the goal (Dembo, Eisenstat and Steihaug, "Inexact
 // Newton methods", 1982).
-double enough(double error, double goal) { return 0.1 * std::max(error, goal / error); }
+double enough(double error, double goal) { return 0.2 * std::max(error, goal / error); }
 
 // The direction of Newton's first step from u = 0, nearly, without a factorisation of its own: the linear theory on the
 // surface without the cones is this step but for the triangles round them, where it is relaxed.

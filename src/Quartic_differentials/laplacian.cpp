@@ -123,26 +123,27 @@ struct Symmetric_factorization::Implementation
   }
 
   // Solves for the near matrix by conjugate gradients with the factorisation as preconditioner (Golub and Van Loan, Matrix
-  // Computations, section 11.5): whether the relative error in the energy norm is reached in few iterations.
-  bool solve_iteratively(const Eigen::MatrixXd& b, double relative_error, Eigen::MatrixXd& x) const
+  // Computations, section 11.5): whether the residual is small enough after few iterations.
+  bool solve_iteratively(const Eigen::MatrixXd& b, double relative_residual, Eigen::MatrixXd& x) const
   {
     const int most = 12;
     x = Eigen::MatrixXd::Zero(b.rows(), b.cols());
     Eigen::VectorXd r, z, p, ap;
     for (Eigen::Index column = 0; column < b.cols(); ++column) {
       r = b.col(column);
-      p = z = solver.solve(r);
-      double rz = r.dot(z);
-      const double enough = relative_error * relative_error * rz;
-      for (int k = 0; rz > enough; ++k) {
+      p.setZero(b.rows());
+      const double enough = relative_residual * r.cwiseAbs().maxCoeff();
+      double previous = 1;
+      for (int k = 0; r.cwiseAbs().maxCoeff() > enough; ++k) {
         if (k == most) return false;
+        z = solver.solve(r);
+        const double rz = r.dot(z);
+        p = z + (rz / previous) * p;
+        previous = rz;
         ap.noalias() = near->selfadjointView<Eigen::Lower>() * p;
         const double alpha = rz / p.dot(ap);
         x.col(column) += alpha * p;
         r -= alpha * ap;
-        z = solver.solve(r);
-        p = z + (r.dot(z) / rz) * p;
-        rz = r.dot(z);
       }
     }
     return true;
@@ -166,12 +167,12 @@ void Symmetric_factorization::update(const Sparse_matrix& lower)
   m_implementation->near = lower;
 }
 
-Eigen::MatrixXd Symmetric_factorization::solve(const Eigen::MatrixXd& right_hand_sides, double relative_error) const
+Eigen::MatrixXd Symmetric_factorization::solve(const Eigen::MatrixXd& right_hand_sides, double relative_residual) const
 {
   if (right_hand_sides.size() == 0) return right_hand_sides;
   Implementation& s = *m_implementation;
   Eigen::MatrixXd x;
-  if (s.near && !s.solve_iteratively(right_hand_sides, relative_error, x)) s.factorize(Sparse_matrix(*s.near));
+  if (s.near && !s.solve_iteratively(right_hand_sides, relative_residual, x)) s.factorize(Sparse_matrix(*s.near));
   if (!s.near) x = s.solver.solve(right_hand_sides);
   if (!x.allFinite()) throw Numerical_error("a linear system has no finite solution: the triangulation is degenerate");
   return x;
@@ -199,12 +200,12 @@ void Laplacian_solver::set_order_of(const Laplacian_solver& similar)
   m_factorization.set_order_of(similar.m_factorization);
 }
 
-Eigen::MatrixXd Laplacian_solver::solve(const Eigen::MatrixXd& b, double relative_error) const
+Eigen::MatrixXd Laplacian_solver::solve(const Eigen::MatrixXd& b, double relative_residual) const
 {
   if (b.cols() == 0) return b;   // has no memory whose rows one could take
   Eigen::MatrixXd x(b.rows(), b.cols());
   x.row(0).setZero();
-  x.bottomRows(b.rows() - 1) = m_factorization.solve(b.bottomRows(b.rows() - 1), relative_error);
+  x.bottomRows(b.rows() - 1) = m_factorization.solve(b.bottomRows(b.rows() - 1), relative_residual);
   return x;
 }
 

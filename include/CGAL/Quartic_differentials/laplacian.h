@@ -42,8 +42,8 @@ public:
   /// factorisation, as long as this takes few iterations. If there is none of as many rows, it factorises.
   void update(const Eigen::SparseMatrix<double>& lower);
   /// one back-substitution a column, several after an update
-  /// \param relative_error that is enough after an update, in the energy norm
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides, double relative_error = 1e-10) const;
+  /// \param relative_residual that is enough after an update: of every column of b - A x, the largest entry against that of b
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides, double relative_residual = 1e-10) const;
   /// takes over the order of elimination of a similar matrix: of the same rows but for some at the end
   void set_order_of(const Symmetric_factorization& similar);
 
@@ -64,9 +64,9 @@ public:
   /// the same for a Laplacian near the one that was factorised, most often without another factorisation
   void update(const Intrinsic_triangulation& t, const std::vector<double>& weights);
   /// solves L x = b for every column b, with x = 0 at the first vertex.
-  /// \param relative_error that is enough after an update, in the energy norm
+  /// \param relative_residual that is enough after an update: of every column of b - L x, the largest entry against that of b
   /// \pre every column sums to zero (otherwise the first equation does not hold)
-  Eigen::MatrixXd solve(const Eigen::MatrixXd& b, double relative_error = 1e-10) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b, double relative_residual = 1e-10) const;
   /// takes over the order of elimination from the solver of a triangulation with the same vertices but for some at the end
   void set_order_of(const Laplacian_solver& similar);
 
