@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <utility>
@@ -85,18 +86,21 @@ public:
 
   double size() const { return m_size; }
 
-  State state(const Moving_divisor& d, double length) const
+  // none where the objective is above `most`: E alone may tell, and the guard takes as long as E
+  std::optional<State> state(const Moving_divisor& d, double length, double most) const
   {
     Eigen::VectorXd u = m_distortion.log_scale(d.divisor());
+    const double e = m_distortion.energy(u);
+    if (e > most) return std::nullopt;
     Distance_guard guard = distance_guard(m_distortion.triangulation(), d.divisor(), m_options.guard_distance * m_size,
                                           m_options.guard_strength);
     if (m_has_boundary)
       guard += boundary_guard(m_distortion.triangulation(), d.divisor(), m_options.boundary_distance * m_size,
                               m_options.guard_strength);
-    const double e = m_distortion.energy(u);
+    if (e + guard.value > most) return std::nullopt;
     const double residual = m_lattice_vector ? (d.residual() - quarter_turn * *m_lattice_vector).norm() : 0;
     const Distortion_step step{e, e + guard.value, residual, length};
-    return {d, std::move(u), std::move(guard), step};
+    return State{d, std::move(u), std::move(guard), step};
   }
   // of the objective, on the tangent space of F = (pi/2) m
   Eigen::VectorXd gradient(const State& s) const
@@ -131,8 +135,9 @@ public:
       if (!m_visitor.go_further()) throw Cancelled_error("stopped while optimising the singularities");
       const std::optional<Moving_divisor> d = moved(from.divisor, t * direction);
       if (!d) continue;
-      State tried = state(*d, t * longest_move(direction));
-      if (tried.step.objective <= from.step.objective + least_decrease * t * slope) return tried;
+      std::optional<State> tried = state(*d, t * longest_move(direction),
+                                         from.step.objective + least_decrease * t * slope);
+      if (tried) return tried;
     }
     return std::nullopt;
   }
@@ -212,7 +217,7 @@ Descent descend(const Area_distortion& distortion, const Moving_divisor& start,
                 Visitor& visitor)
 {
   const Problem problem(distortion, lattice_vector, options, visitor);
-  State state = problem.state(start, 0);
+  State state = *problem.state(start, 0, std::numeric_limits<double>::infinity());
   std::vector<Distortion_step> history{state.step};
   Limited_memory_bfgs inverse_hessian(options.memory);
   Eigen::VectorXd g = problem.gradient(state);
