@@ -184,9 +184,10 @@ private:
   std::array<Side, 4>      sides;   // ki, il, jk, lj
 };
 
-Common_refinement::Common_refinement(const Intrinsic_triangulation& a)
-  : m_a(a), m_crossings(a.number_of_edges()), m_first(a.number_of_edges())
+Common_refinement::Common_refinement(Intrinsic_triangulation a)
+  : m_a(std::move(a)), m_crossings(m_a.number_of_edges()), m_first(m_a.number_of_edges())
 {
+  m_coincident.reserve(m_a.number_of_edges());
   for (Edge e : m_a.edges()) m_coincident.push_back(first_halfedge(e));
 }
 

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace CGAL {
@@ -171,6 +172,8 @@ Eigen::MatrixXd Symmetric_factorization::solve(const Eigen::MatrixXd& right_hand
 {
   if (right_hand_sides.size() == 0) return right_hand_sides;
   Implementation& s = *m_implementation;
+  if (right_hand_sides.rows() != s.factorized.rows())
+    throw Numerical_error("no matrix of " + std::to_string(right_hand_sides.rows()) + " rows was factorised");
   Eigen::MatrixXd x;
   if (s.near && !s.solve_iteratively(right_hand_sides, relative_residual, x)) s.factorize(Sparse_matrix(*s.near));
   if (!s.near) x = s.solver.solve(right_hand_sides);

@@ -217,6 +217,7 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
   }
   result.metric = exact_cone_metric(s.delaunay, s.homology.cochains, result.legal->divisor, options.cone_metric, visitor,
                                     &s.laplacian);
+  result.surface->laplacian = Laplacian_solver();   // it would be the largest part of the result
   place_singularities(input, result);
   require_near(*result.metric);
   {

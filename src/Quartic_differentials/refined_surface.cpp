@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace CGAL {
 namespace Quartic_differentials {
@@ -48,9 +49,8 @@ void place_corners_on_input(const Intrinsic_triangulation& input, Refined_surfac
 {
   const Intrinsic_triangulation& t = r.differential.triangulation;
   r.input_corner.resize(t.number_of_halfedges());
-  r.faces_in.resize(input.number_of_faces());
+  r.faces_in = {input.number_of_faces(), t.number_of_faces(), [&](std::size_t f) { return r.input_face[f]; }};
   for (Face f : t.faces()) {
-    r.faces_in[r.input_face[f]].push_back(f);
     const auto k = input.halfedges(r.input_face[f]);
     const auto corner = [&](int c) { return input.mesh().point(input.source(k[c])); };
     for (Halfedge h : t.halfedges(f)) {
@@ -83,6 +83,7 @@ class Refined_vertices
 public:
   Refined_vertices(const Intrinsic_triangulation& c, const Common_refinement& r) : m_c(c)
   {
+    m_first.reserve(c.number_of_edges());
     std::size_t next = c.number_of_vertices();
     for (Edge e : c.edges()) {
       m_first.push_back(next);
@@ -124,12 +125,13 @@ double altitude(Grid_vector a, Grid_vector b, Grid_vector c)
   return static_cast<double>(doubled_area(a, b, c)) / std::max({length(b - a), length(c - b), length(a - c), 1.0});
 }
 
-// The grid points of the crossings, by edge of C, in the chart of the face of its first halfedge.
-std::vector<std::vector<Grid_vector>> crossing_points(const Common_refinement& refinement, const Quartic_differential& flat)
+// The grid points of the crossings, edge by edge, in the chart of the face of the edge's first halfedge.
+std::vector<Grid_vector> crossing_points(const Common_refinement& refinement, const Quartic_differential& flat)
 {
   const Intrinsic_triangulation& c = flat.triangulation;
   const double separation = 32;   // grid units, of the altitudes of the triangles between neighbouring points
-  std::vector<std::vector<Grid_vector>> points(c.number_of_edges());
+  std::vector<Grid_vector> points;
+  points.reserve(refinement.number_of_crossings());
   for (Edge e : c.edges()) {
     const std::vector<Crossing>& crossings = refinement.crossings(e);
     if (crossings.empty()) continue;
@@ -139,7 +141,7 @@ std::vector<std::vector<Grid_vector>> crossing_points(const Common_refinement& r
     };
     const double least_gap = separation / std::max(std::min(apex_distance(h), apex_distance(o)), 1.0);
     const Grid_vector begin = flat.corner[h], end = flat.corner[c.next(h)];
-    for (double t : positions_along(crossings, least_gap)) points[e].push_back(on_segment(begin, end, t));
+    for (double t : positions_along(crossings, least_gap)) points.push_back(on_segment(begin, end, t));
   }
   return points;
 }
@@ -159,6 +161,7 @@ Point_3 place_on_input(const Intrinsic_triangulation& a, const std::vector<doubl
 Quartic_differential in_the_plane(Quartic_differential flat)
 {
   std::vector<double> lengths;
+  lengths.reserve(flat.triangulation.number_of_edges());
   for (Edge e : flat.triangulation.edges()) {
     const Halfedge h = flat.triangulation.halfedge(e);
     lengths.push_back(length(flat.corner[flat.triangulation.next(h)] - flat.corner[h]));
@@ -167,51 +170,51 @@ Quartic_differential in_the_plane(Quartic_differential flat)
   return flat;
 }
 
-// Cuts a polygon into triangles, from the corner pair that leaves the largest least altitude; polygons of cells have at
+// Cuts polygons into triangles, from the corner pair that leaves the largest least altitude; polygons of cells have at
 // most six corners.
 class Polygon_cutter
 {
 public:
-  using Triangle = std::array<std::size_t, 3>;
+  using Triangle = std::array<std::size_t, 3>;   // numbers of corners
 
-  explicit Polygon_cutter(const std::vector<Grid_vector>& corner) : m_corner(corner) {}
-
-  std::vector<Triangle> triangles() const
+  // those of the last polygon are overwritten
+  const std::vector<Triangle>& triangles(const std::vector<Grid_vector>& corner)
   {
-    std::vector<std::size_t> left(m_corner.size());
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
-    std::vector<Triangle> result;
-    while (left.size() > 3) {
-      const std::size_t k = best_ear(left);
-      result.push_back({left[(k + left.size() - 1) % left.size()], left[k], left[(k + 1) % left.size()]});
-      left.erase(left.begin() + static_cast<std::ptrdiff_t>(k));
+    m_left.resize(corner.size());
+    std::iota(m_left.begin(), m_left.end(), std::size_t(0));
+    m_triangles.clear();
+    while (m_left.size() > 3) {
+      const std::size_t k = best_ear(corner), n = m_left.size();
+      m_triangles.push_back({m_left[(k + n - 1) % n], m_left[k], m_left[(k + 1) % n]});
+      m_left.erase(m_left.begin() + static_cast<std::ptrdiff_t>(k));
     }
-    result.push_back({left[0], left[1], left[2]});
-    return result;
+    m_triangles.push_back({m_left[0], m_left[1], m_left[2]});
+    return m_triangles;
   }
 
 private:
-  double altitude_at(const std::vector<std::size_t>& left, std::size_t k) const
+  static double altitude_at(const std::vector<Grid_vector>& corner, const std::vector<std::size_t>& left, std::size_t k)
   {
     const std::size_t n = left.size();
-    return altitude(m_corner[left[(k + n - 1) % n]], m_corner[left[k]], m_corner[left[(k + 1) % n]]);
+    return altitude(corner[left[(k + n - 1) % n]], corner[left[k]], corner[left[(k + 1) % n]]);
   }
   // the ear whose removal leaves the best worst ear, itself included
-  std::size_t best_ear(const std::vector<std::size_t>& left) const
+  std::size_t best_ear(const std::vector<Grid_vector>& corner)
   {
     std::size_t best = 0;
     double best_value = -std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < left.size(); ++k) {
-      std::vector<std::size_t> rest = left;
-      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
-      double value = altitude_at(left, k);
-      if (rest.size() == 3) value = std::min(value, altitude_at(rest, 0));
+    for (std::size_t k = 0; k < m_left.size(); ++k) {
+      m_rest = m_left;
+      m_rest.erase(m_rest.begin() + static_cast<std::ptrdiff_t>(k));
+      double value = altitude_at(corner, m_left, k);
+      if (m_rest.size() == 3) value = std::min(value, altitude_at(corner, m_rest, 0));
       if (value > best_value) { best_value = value; best = k; }
     }
     return best;
   }
 
-  const std::vector<Grid_vector>& m_corner;
+  std::vector<std::size_t> m_left, m_rest;   // corners not cut off yet; the same without an ear
+  std::vector<Triangle>    m_triangles;
 };
 
 // whether the side of a cell that starts on the C halfedge h runs along it to the next corner
@@ -258,15 +261,16 @@ Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, co
     r.construction.cones.push_back(cone);
     if (!divisor[i].pinned) frames.add(frame);
   }
-  Intrinsic_triangulation a = inserter.triangulation();
+  r.input_face = inserter.original_faces();
+  Intrinsic_triangulation a = std::move(inserter).triangulation();
   for (const auto& c : r.construction.cones)
     if (input.is_embedded()) a.set_point(c.vertex, position_on_input(input, c.location));
-  r.input_face = inserter.original_faces();
   r.triangulation = a;
-  r.refinement = Common_refinement(a);
+  r.refinement = Common_refinement(std::move(a));
   make_delaunay(r.triangulation, r.refinement, r.cochains, frames, r.construction.flips);
   r.derivatives = internal::Length_derivatives(r.triangulation, frames);
   make_ideal_delaunay(r.triangulation, metric.u, r.refinement, r.cochains, r.derivatives, r.construction.flips);
+  r.lengths.reserve(r.triangulation.number_of_edges());
   for (Edge e : r.triangulation.edges()) {
     const Halfedge h = r.triangulation.halfedge(e);
     r.lengths.push_back(r.triangulation.length(e) * std::exp(0.5 * (metric.u[r.triangulation.source(h)]
@@ -292,63 +296,58 @@ Refined_surface refined_surface(const Intrinsic_triangulation& input, const Refi
 
   const Intrinsic_triangulation &c = flat.triangulation, &a = refinement.input();
   const Refined_vertices vertex(c, refinement);
-  const std::vector<std::vector<Grid_vector>> points = crossing_points(refinement, flat);
+  const std::vector<Grid_vector> points = crossing_points(refinement, flat);
   const auto grid_point = [&](const Cell_corner& k) {
     if (k.crossing.is_none()) return flat.corner[k.c];
-    const Grid_vector z = points[k.crossing.edge][k.crossing.rank];
+    const Grid_vector z = points[vertex(k) - c.number_of_vertices()];
     return is_first_of_its_edge(k.c) ? z : flat.transition[c.opposite(k.c)](z);
   };
+  const Refinement_cells cells(refinement, c);
+  const std::size_t faces = cells.corners().size() - 2 * cells.cells().size();
+  const std::size_t edges = a.number_of_edges() + points.size() + faces - a.number_of_faces();   // Euler's formula
 
+  Refined_surface result;
+  Quartic_differential& q = result.differential;
+  result.input_face.reserve(faces);
+  q.corner.resize(2 * edges);
+  q.transition.resize(2 * edges);
   Mesh mesh;
+  mesh.reserve(static_cast<Mesh::size_type>(a.number_of_vertices() + points.size()), static_cast<Mesh::size_type>(edges),
+               static_cast<Mesh::size_type>(faces));
   for (Vertex v : a.vertices()) mesh.add_vertex(a.mesh().point(v));
   for (Edge e : c.edges())
     for (const Crossing& x : refinement.crossings(e)) mesh.add_vertex(place_on_input(a, u, x));
 
-  Refined_surface result;
-  const Refinement_cells cells(refinement, c);
-  std::vector<std::array<Grid_vector, 3>> corners;       // by face of the mesh
-  std::vector<std::array<Transition, 3>>  transitions;   // by face, of the edges from these corners
+  Polygon_cutter cut;
   std::vector<Grid_vector> polygon;
   for (const Refinement_cell& cell : cells.cells()) {
     const Cell_corner* corner = cells.corners().data() + cell.first_corner;
     const std::size_t n = cell.last_corner - cell.first_corner;
     polygon.clear();
     for (std::size_t i = 0; i < n; ++i) polygon.push_back(grid_point(corner[i]));
-    for (const auto& triangle : Polygon_cutter(polygon).triangles()) {
+    for (const auto& triangle : cut.triangles(polygon)) {
       std::array<Vertex, 3> v;
-      corners.emplace_back();
-      transitions.emplace_back();
-      for (int k = 0; k < 3; ++k) {
-        const std::size_t i = triangle[k], j = triangle[(k + 1) % 3];
-        v[k] = Vertex(static_cast<Mesh::size_type>(vertex(corner[i])));
-        corners.back()[k] = polygon[i];
-        if (j == (i + 1) % n && lies_along(c, corner[i].c, corner[j])) transitions.back()[k] = flat.transition[corner[i].c];
-      }
-      const auto& z = corners.back();
-      result.flipped_triangles += doubled_area(z[0], z[1], z[2]) <= 0;
+      for (int k = 0; k < 3; ++k) v[k] = Vertex(static_cast<Mesh::size_type>(vertex(corner[triangle[k]])));
       const Face f = mesh.add_face(v[0], v[1], v[2]);
       if (f == Mesh::null_face()) throw Numerical_error("the refined surface is not a manifold");
-      mesh.set_halfedge(f, mesh.halfedge(v[0], v[1]));
+      Halfedge h = mesh.halfedge(v[0], v[1]);
+      mesh.set_halfedge(f, h);
+      for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
+        const std::size_t i = triangle[k], j = triangle[(k + 1) % 3];
+        q.corner[h] = polygon[i];
+        if (j == (i + 1) % n && lies_along(c, corner[i].c, corner[j])) q.transition[h] = flat.transition[corner[i].c];
+      }
+      result.flipped_triangles += doubled_area(polygon[triangle[0]], polygon[triangle[1]], polygon[triangle[2]]) <= 0;
       result.input_face.push_back(metric.input_face[cell.a_face]);
     }
   }
 
-  Quartic_differential& q = result.differential;
   q.triangulation = Intrinsic_triangulation(std::move(mesh));
   q.grid_exponent = flat.grid_exponent;
   q.surface_units_per_unit = flat.surface_units_per_unit;
   q.singularities = flat.singularities;
   q.order = flat.order;
   q.order.resize(q.triangulation.number_of_vertices(), 0);
-  q.corner.resize(q.triangulation.number_of_halfedges());
-  q.transition.resize(q.triangulation.number_of_halfedges());
-  for (Face f : q.triangulation.faces()) {
-    const auto h = q.triangulation.halfedges(f);
-    for (int k = 0; k < 3; ++k) {
-      q.corner[h[k]] = corners[f.idx()][k];
-      q.transition[h[k]] = transitions[f.idx()][k];
-    }
-  }
   place_corners_on_input(input, result);
   put_corners_on_boundary(input, result);
   return result;

@@ -54,7 +54,7 @@ Riemann_surface riemann_surface(const Intrinsic_triangulation& input, Visitor& v
     s.delaunay = input;
     Common_refinement refinement(input);
     s.flips = make_delaunay(s.delaunay, s.homology.cochains, refinement);
-    s.refinement.emplace(refinement, s.delaunay);
+    s.refinement.emplace(Refinement_cells(refinement, s.delaunay), refinement, s.delaunay);
   }
   {
     const Timed_step step(visitor, "holomorphic_forms");

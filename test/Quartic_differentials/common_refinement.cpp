@@ -9,7 +9,7 @@
 #include "test_surfaces.h"
 
 #include <CGAL/Quartic_differentials/Common_refinement.h>
-#include <CGAL/Quartic_differentials/Refinement_cells.h>
+#include <CGAL/Quartic_differentials/Refinement_map.h>
 #include <CGAL/Quartic_differentials/delaunay_flips.h>
 
 #include <CGAL/boost/graph/IO/OFF.h>
@@ -75,7 +75,7 @@ double straightness_error(const Common_refinement& r, const Intrinsic_triangulat
 
 // The largest distance in space between the point at a random fraction of a C edge, mapped to A, and the point at the
 // same fraction of the edge's way over the input, relative to the length of the edge.
-double edge_point_error(const Common_refinement& r, const Refinement_cells& cells, const Intrinsic_triangulation& c)
+double edge_point_error(const Common_refinement& r, const Refinement_map& map, const Intrinsic_triangulation& c)
 {
   std::mt19937 random(5);
   double worst = 0;
@@ -93,7 +93,7 @@ double edge_point_error(const Common_refinement& r, const Refinement_cells& cell
       else                            { to = x.position_on_c(); q = position(r, x); break; }
     }
     const Point_3 expected = p + (along - from) / (to - from) * (q - p);
-    const Point_3 mapped = position_on_input(r.input(), cells.to_input(point));
+    const Point_3 mapped = position_on_input(r.input(), map.to_input(point));
     worst = std::max(worst, std::sqrt(CGAL::squared_distance(expected, mapped)) / c.length(h));
   }
   return worst;
@@ -154,7 +154,7 @@ struct Round_trips { double c_a_c = 0, a_c_a = 0; };
 
 // the largest errors of n random points, relative to the longest edge of their faces. A point on an edge may come back
 // on the other side of it, even in the same face where that is glued to itself: then the distance in space counts.
-Round_trips round_trips(const Refinement_cells& cells, const Intrinsic_triangulation& a,
+Round_trips round_trips(const Refinement_map& map, const Intrinsic_triangulation& a,
                         const Intrinsic_triangulation& c, int n)
 {
   std::mt19937 random(7);
@@ -162,11 +162,11 @@ Round_trips round_trips(const Refinement_cells& cells, const Intrinsic_triangula
   const auto distance_in_space = [&](const Surface_point& x, const Surface_point& y)
   { return std::sqrt(CGAL::squared_distance(position_on_input(a, x), position_on_input(a, y))); };
   for (int i = 0; i < n; ++i) {
-    const Surface_point p = random_point(random, c), x = cells.to_input(p), p2 = cells.from_input(x);
-    const double c_a_c = std::min(distance_in_face(c, p, p2), distance_in_space(x, cells.to_input(p2)));
+    const Surface_point p = random_point(random, c), x = map.to_input(p), p2 = map.from_input(x);
+    const double c_a_c = std::min(distance_in_face(c, p, p2), distance_in_space(x, map.to_input(p2)));
     worst.c_a_c = std::max(worst.c_a_c, c_a_c / longest_edge(c, p.face));
 
-    const Surface_point q = random_point(random, a), q2 = cells.to_input(cells.from_input(q));
+    const Surface_point q = random_point(random, a), q2 = map.to_input(map.from_input(q));
     const double a_c_a = std::min(distance_in_face(a, q, q2), distance_in_space(q, q2));
     worst.a_c_a = std::max(worst.a_c_a, a_c_a / longest_edge(a, q.face));
   }
@@ -174,13 +174,13 @@ Round_trips round_trips(const Refinement_cells& cells, const Intrinsic_triangula
 }
 
 // every corner of a cell lies in its two faces, and no cell is the mirror image of a polygon
-void check_cells(const Refinement_cells& cells, const Intrinsic_triangulation& a, const Intrinsic_triangulation& c,
-                 std::size_t crossings)
+void check_cells(const Refinement_cells& cells, const Refinement_map& map, const Intrinsic_triangulation& a,
+                 const Intrinsic_triangulation& c, std::size_t crossings)
 {
   std::size_t sides = 0, astray = 0, mirrored = 0, not_congruent = 0;
   for (const Refinement_cell& cell : cells.cells()) {
     sides += cell.last_corner - cell.first_corner;
-    const std::vector<Complex> in_c = cells.polygon_in_c(cell), in_a = cells.polygon_in_a(cell);
+    const std::vector<Complex> in_c = map.polygon_in_c(cell), in_a = map.polygon_in_a(cell);
     double size = 0;
     for (Complex z : in_c) size = std::max(size, std::abs(z - in_c[0]));
     for (std::size_t i = 0; i < in_c.size(); ++i)
@@ -202,24 +202,25 @@ void check_cells(const Refinement_cells& cells, const Intrinsic_triangulation& a
 }
 
 // everything that must hold after Euclidean flips; returns a line of figures
-std::string check_refinement(const Common_refinement& refinement, const Refinement_cells& cells,
-                             const Intrinsic_triangulation& c)
+std::string check_refinement(const Common_refinement& refinement, const Intrinsic_triangulation& c)
 {
+  const Refinement_cells cells(refinement, c);
+  const Refinement_map map(cells, refinement, c);
   const Intrinsic_triangulation& a = refinement.input();
   CHECK_EQUAL(disorder(refinement), 0);
   const double straightness = straightness_error(refinement, c);
   CHECK(straightness < 1e-9);
-  check_cells(cells, a, c, refinement.number_of_crossings());
+  check_cells(cells, map, a, c, refinement.number_of_crossings());
   const double c_area = area_error(cells, c, [](const Refinement_cell& x) { return x.c_face; },
-                                   [&](const Refinement_cell& x) { return cells.polygon_in_c(x); });
+                                   [&](const Refinement_cell& x) { return map.polygon_in_c(x); });
   const double a_area = area_error(cells, a, [](const Refinement_cell& x) { return x.a_face; },
-                                   [&](const Refinement_cell& x) { return cells.polygon_in_a(x); });
+                                   [&](const Refinement_cell& x) { return map.polygon_in_a(x); });
   CHECK(c_area < 1e-10);
   CHECK(a_area < 1e-10);
-  const Round_trips error = round_trips(cells, a, c, 20000);
+  const Round_trips error = round_trips(map, a, c, 20000);
   CHECK(error.c_a_c < 1e-9);
   CHECK(error.a_c_a < 1e-9);
-  CHECK(edge_point_error(refinement, cells, c) < 1e-9);
+  CHECK(edge_point_error(refinement, map, c) < 1e-9);
 
   std::ostringstream figures;
   figures << refinement.number_of_crossings() << " crossings, " << cells.cells().size() << " cells; straightness "
@@ -247,12 +248,12 @@ void check_surface(const std::string& name, const Mesh& mesh)
   CHECK(flips == 0 || !refinement.defect(a).empty());
 
   start = std::chrono::steady_clock::now();
-  const Refinement_cells cells(refinement, c);
-  const double cell_time = seconds_since(start);
+  const Refinement_map map(Refinement_cells(refinement, c), refinement, c);
+  const double map_time = seconds_since(start);
 
-  const std::string figures = check_refinement(refinement, cells, c);
+  const std::string figures = check_refinement(refinement, c);
   std::cout << name << ": " << flips << " flips, " << figures << "; flips alone " << flip_time
-            << " s, with refinement " << refinement_time << " s, cells " << cell_time << " s" << std::endl;
+            << " s, with refinement " << refinement_time << " s, the map " << map_time << " s" << std::endl;
 }
 
 // nothing has been flipped yet: every cell is a face, every point stays where it is
@@ -264,7 +265,7 @@ void check_identity(const Mesh& mesh)
   CHECK_EQUAL(refinement.number_of_crossings(), 0u);
   const Refinement_cells cells(refinement, a);
   CHECK_EQUAL(cells.cells().size(), a.number_of_faces());
-  const Round_trips error = round_trips(cells, a, a, 100);
+  const Round_trips error = round_trips(Refinement_map(cells, refinement, a), a, a, 100);
   CHECK(error.c_a_c < 1e-13);
 }
 
@@ -319,7 +320,7 @@ void check_wild_flips(const Mesh& mesh, int n, bool ptolemy)
   }
   CHECK(flips > n / 10);
   std::string figures = std::to_string(refinement.number_of_crossings()) + " crossings";
-  if (!ptolemy) figures = check_refinement(refinement, Refinement_cells(refinement, c), c);
+  if (!ptolemy) figures = check_refinement(refinement, c);
   std::cout << (ptolemy ? "Ptolemy: " : "wild: ") << flips << " flips, " << self_glued << " faces glued to themselves, "
             << figures << std::endl;
 

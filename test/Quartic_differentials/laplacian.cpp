@@ -181,6 +181,17 @@ void not_positive(const Intrinsic_triangulation& t)
   CHECK_THROWS(solver.factorize(t, w), Numerical_error, "could not be factorised");
 }
 
+// A solver of another surface, or of none.
+void not_factorized(const Intrinsic_triangulation& t)
+{
+  Laplacian_solver solver;
+  const Eigen::MatrixXd b = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(t.number_of_vertices()), 1);
+  CHECK_THROWS(solver.solve(b), Numerical_error, "no matrix of ");
+  solver.factorize(t, cotangent_weights(t, t.lengths()));
+  CHECK_EQUAL(solver.solve(b), b);
+  CHECK_THROWS(solver.solve(Eigen::MatrixXd::Zero(b.rows() + 1, 1)), Numerical_error, "was factorised");
+}
+
 } // namespace
 
 int main()
@@ -194,6 +205,7 @@ int main()
     other_patterns(t, random);
     no_right_hand_sides(t);
     not_positive(t);
+    not_factorized(t);
   }
   near_and_far(Intrinsic_triangulation(hyperelliptic(2, 0)), random);         // parallel edges
   near_and_far(Intrinsic_triangulation(torus(3, 1, 500, 201)), random);

@@ -18,9 +18,9 @@ own_input(const CGAL::Quartic_differentials::Quartic_differential& q)
   r.input_corner.resize(q.triangulation.number_of_halfedges());
   for (auto f : q.triangulation.faces()) {
     r.input_face.push_back(f);
-    r.faces_in.push_back({f});
     for (auto h : q.triangulation.halfedges(f)) r.input_corner[h][q.triangulation.corner(h)] = 1;
   }
+  r.faces_in = {r.input_face.size(), r.input_face.size(), [](std::size_t f) { return f; }};
   return r;
 }
 

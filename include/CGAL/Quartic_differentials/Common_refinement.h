@@ -70,7 +70,7 @@ class Common_refinement
 public:
   Common_refinement() = default;
   /// the refinement of a triangulation with itself
-  explicit Common_refinement(const Intrinsic_triangulation& a);
+  explicit Common_refinement(Intrinsic_triangulation a);
 
   /// \pre `c` is the triangulation that all flips so far have led to
   void before_flip(const Intrinsic_triangulation& c, const Edge_flip& flip);

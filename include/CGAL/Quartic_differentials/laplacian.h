@@ -43,6 +43,7 @@ public:
   void update(const Eigen::SparseMatrix<double>& lower);
   /// one back-substitution a column, several after an update
   /// \param relative_residual that is enough after an update: of every column of b - A x, the largest entry against that of b
+  /// \throws Numerical_error if no matrix of as many rows was factorised, or there is no finite solution
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides, double relative_residual = 1e-10) const;
   /// takes over the order of elimination of a similar matrix: of the same rows but for some at the end
   void set_order_of(const Symmetric_factorization& similar);
@@ -66,6 +67,7 @@ public:
   /// solves L x = b for every column b, with x = 0 at the first vertex.
   /// \param relative_residual that is enough after an update: of every column of b - L x, the largest entry against that of b
   /// \pre every column sums to zero (otherwise the first equation does not hold)
+  /// \throws Numerical_error if no Laplacian of as many vertices was factorised, or there is no finite solution
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b, double relative_residual = 1e-10) const;
   /// takes over the order of elimination from the solver of a triangulation with the same vertices but for some at the end
   void set_order_of(const Laplacian_solver& similar);

@@ -58,7 +58,7 @@ struct Quartic_differential_result
 {
   /// of a mesh with boundary: its copy with vertices added there, to whose faces all below refers
   std::optional<Intrinsic_triangulation> split_input;
-  std::optional<Riemann_surface>      surface;        ///< steps 1 to 3
+  std::optional<Riemann_surface>      surface;        ///< steps 1 to 3; without `laplacian` from step 7 on
   std::optional<Divisor>              initial;        ///< on `surface->delaunay`
   std::optional<Chosen_singularities> choice;         ///< how `initial` was chosen, if it was
   std::optional<Legal_divisor>        legal;          ///< step 5

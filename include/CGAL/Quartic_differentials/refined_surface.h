@@ -11,6 +11,7 @@
 #include <CGAL/Quartic_differentials/cone_metric.h>
 #include <CGAL/Quartic_differentials/divisor.h>
 #include <CGAL/Quartic_differentials/internal/Construction.h>
+#include <CGAL/Quartic_differentials/internal/Grouped.h>
 #include <CGAL/Quartic_differentials/internal/cone_insertion.h>
 
 #include <array>
@@ -60,7 +61,7 @@ struct Refined_surface
   std::vector<Face>    input_face;     ///< by face: the face of the input in which it lies
   std::vector<std::array<double, 3>> input_corner;   ///< by halfedge: source(h) in barycentric coordinates of
                                                      ///< input_face[face(h)]
-  std::vector<std::vector<Face>> faces_in;           ///< by face of the input: the faces that fill it
+  internal::Grouped<Face> faces_in;                  ///< by face of the input: the faces that fill it
   std::size_t          flipped_triangles = 0;        ///< flipped or degenerate after rounding to the grid
 
   /// the point of the subdivision at a point of the input. Complexity: linear in the faces in the point's face.

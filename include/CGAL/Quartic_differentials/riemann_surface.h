@@ -6,7 +6,7 @@
 #define CGAL_QUARTIC_DIFFERENTIALS_RIEMANN_SURFACE_H
 
 #include <CGAL/Quartic_differentials/Intrinsic_triangulation.h>
-#include <CGAL/Quartic_differentials/Refinement_cells.h>
+#include <CGAL/Quartic_differentials/Refinement_map.h>
 #include <CGAL/Quartic_differentials/Visitor.h>
 #include <CGAL/Quartic_differentials/coarse_surface.h>
 #include <CGAL/Quartic_differentials/divisor.h>
@@ -34,7 +34,7 @@ enum class Homology_choice
 struct Riemann_surface
 {
   Intrinsic_triangulation         delaunay;     ///< the intrinsic Delaunay triangulation of the input's surface
-  std::optional<Refinement_cells> refinement;   ///< carries points between the input's faces and `delaunay`
+  std::optional<Refinement_map>   refinement;   ///< carries points between the input's faces and `delaunay`
   std::size_t                     flips = 0;    ///< from the input to `delaunay`
   Homology_basis                  homology;     ///< loops on the input, cochains on `delaunay`
   std::optional<Handle_tunnel_loops> loops;     ///< on the input, if they were asked for

@@ -185,7 +185,7 @@ Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_coch
     result.frozen.push_back(divisor[i].pinned);
     if (!divisor[i].pinned) result.frames.add({static_cast<int>(i), insertion.spoke[0], inserted.angle});
   }
-  result.triangulation = inserter.triangulation();
+  result.triangulation = std::move(inserter).triangulation();
   make_delaunay(result.triangulation, result.cochains, result.frames);
   return result;
 }

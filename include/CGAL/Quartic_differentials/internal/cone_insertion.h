@@ -76,7 +76,8 @@ public:
   Inserted_on_boundary insert_on_boundary(const Surface_point& p);
 
   /// t with the points
-  const Intrinsic_triangulation& triangulation() const { return m_split; }
+  const Intrinsic_triangulation& triangulation() const & { return m_split; }
+  Intrinsic_triangulation        triangulation() &&      { return std::move(m_split); }
   /// by face of the triangulation: the face of t it is part of
   const std::vector<Face>& original_faces() const { return m_original; }
 

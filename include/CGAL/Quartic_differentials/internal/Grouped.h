@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The CGAL Quartic Differentials authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_GROUPED_H
+#define CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_GROUPED_H
+
+#include <CGAL/Iterator_range.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quartic_differentials {
+namespace internal {
+
+/// The items 0, ..., n - 1 in groups, in two arrays however many groups there are.
+template <class Item>
+class Grouped
+{
+public:
+  using Group = CGAL::Iterator_range<typename std::vector<Item>::const_iterator>;
+
+  Grouped() = default;
+  /// \param group_of number -> group, below `groups`
+  /// Complexity: linear.
+  template <class Group_of>
+  Grouped(std::size_t groups, std::size_t n, Group_of group_of) : m_end(groups + 1, 0), m_items(n)
+  {
+    for (std::size_t i = 0; i < n; ++i) ++m_end[group_of(i) + 1];
+    for (std::size_t g = 0; g < groups; ++g) m_end[g + 1] += m_end[g];   // where group g + 1 begins
+    for (std::size_t i = 0; i < n; ++i) m_items[m_end[group_of(i)]++] = Item(i);
+  }
+
+  /// the items of a group, in increasing order
+  Group operator[](std::size_t group) const
+  { return {m_items.begin() + begin(group), m_items.begin() + static_cast<std::ptrdiff_t>(m_end[group])}; }
+
+private:
+  std::ptrdiff_t begin(std::size_t group) const { return group == 0 ? 0 : static_cast<std::ptrdiff_t>(m_end[group - 1]); }
+
+  std::vector<std::size_t> m_end;     // of each group in m_items
+  std::vector<Item>        m_items;
+};
+
+} } } // namespace CGAL::Quartic_differentials::internal
+
+#endif // CGAL_QUARTIC_DIFFERENTIALS_INTERNAL_GROUPED_H
