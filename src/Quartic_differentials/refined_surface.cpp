@@ -267,6 +267,7 @@ Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, co
     if (input.is_embedded()) a.set_point(c.vertex, position_on_input(input, c.location));
   r.triangulation = a;
   r.refinement = Common_refinement(std::move(a));
+  inserter.flip_at_pieces(r.triangulation, r.refinement, r.cochains, frames, r.construction.flips);
   make_delaunay(r.triangulation, r.refinement, r.cochains, frames, r.construction.flips);
   r.derivatives = internal::Length_derivatives(r.triangulation, frames);
   make_ideal_delaunay(r.triangulation, metric.u, r.refinement, r.cochains, r.derivatives, r.construction.flips);

@@ -152,6 +152,14 @@ std::vector<Face_piece>& Point_inserter::pieces(Face f)
   return m_pieces.try_emplace(f, 1, Face_piece{f, m_t.unfolded(f), {0, 1, 2}}).first->second;
 }
 
+std::map<Face, Face_piece> Point_inserter::all_pieces() const
+{
+  std::map<Face, Face_piece> all;
+  for (const auto& [face, pieces] : m_pieces)
+    for (const Face_piece& piece : pieces) all.emplace(piece.face, piece);
+  return all;
+}
+
 Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor)
 {
   Inserted_cones result{{}, cochains, {}, {}, {}};
@@ -186,6 +194,7 @@ Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_coch
     if (!divisor[i].pinned) result.frames.add({static_cast<int>(i), insertion.spoke[0], inserted.angle});
   }
   result.triangulation = std::move(inserter).triangulation();
+  inserter.flip_at_pieces(result.triangulation, result.cochains, result.frames);
   make_delaunay(result.triangulation, result.cochains, result.frames);
   return result;
 }
