@@ -34,7 +34,8 @@ namespace Quartic_differentials {
 ///        boundary, vertices may be added on that (`split_obtuse_at_boundary()`): results refer to `result.split_input`
 /// \param options how the singularities are chosen, and the tolerances of the steps
 /// \param visitor reports progress and can stop the run
-/// \param result is filled step by step, so that it holds what was computed even if a later step throws
+/// \param result what was in it is forgotten; it is filled step by step, so that it holds what was computed even if a later
+///        step throws
 /// \param np see `intrinsic_triangulation()`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{singularities}
@@ -51,6 +52,7 @@ void quartic_differential(const TriangleMesh& mesh, const Quartic_differential_o
                           Quartic_differential_result& result,
                           const NamedParameters& np = CGAL::parameters::default_values())
 {
+  result = Quartic_differential_result();
   Intrinsic_triangulation copy = intrinsic_triangulation(mesh, np);
   std::optional<Divisor> start;
   const auto given = CGAL::parameters::get_parameter(np, parameters::singularities_t());

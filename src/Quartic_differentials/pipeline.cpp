@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <string>
 #include <utility>
 
 namespace CGAL {
@@ -88,6 +89,31 @@ Abel_jacobi_image image_of(const Abel_jacobi_map& map, const Riemann_surface& s,
   const Eigen::VectorXd on_sheet_0 = map.residual(legal.divisor);
   const Eigen::VectorXd nearest = (on_sheet_0 / (0.5 * CGAL_PI)).array().round();
   return abel_jacobi_image(map, s.periods, s.zeros, on_sheet_0, nearest);
+}
+
+// Steps 5 and 6. Where singularities that were chosen come too near each other when the holonomy is made exact, as they may
+// on coarse meshes, others are chosen that keep twice the distance before.
+void find_metric(const Abel_jacobi_map& map, const Riemann_surface& s, const std::optional<Divisor>& singularities,
+                 Quartic_differential_options options, Visitor& visitor, Quartic_differential_result& r)
+{
+  for (int choices_left = 2; ; --choices_left) {
+    {
+      const Timed_step step(visitor, "legalization");
+      r.initial = starting_divisor(s, singularities, options, visitor, r.choice);
+      legalize(map, s, options, visitor, r);
+      if (!s.delaunay.has_boundary()) r.image = image_of(map, s, *r.legal);
+    }
+    try {
+      r.metric = exact_cone_metric(s.delaunay, s.homology.cochains, r.legal->divisor, options.cone_metric, visitor,
+                                   &s.laplacian);
+      return;
+    } catch (const Infeasible_divisor_error& e) {
+      if (!r.choice || choices_left == 0) throw;
+      visitor.progress(std::string(e.what()) + "; others are chosen, farther from each other");
+    }
+    options.distortion.guard_distance *= 2;
+    options.distortion.boundary_distance *= 2;
+  }
 }
 
 // Why the flat metric of step 6 is not good enough, as a sentence, or "".
@@ -209,14 +235,7 @@ void quartic_differential(const Intrinsic_triangulation& input, const std::optio
     if (options.route == Abel_jacobi_route::curvature) map.emplace(s.delaunay, s.homology.cochains, s.forms);
     else map.emplace(s.delaunay, s.forms, s.zeros);
   }
-  {
-    const Timed_step step(visitor, "legalization");
-    result.initial = starting_divisor(s, singularities, options, visitor, result.choice);
-    legalize(*map, s, options, visitor, result);
-    if (!input.has_boundary()) result.image = image_of(*map, s, *result.legal);
-  }
-  result.metric = exact_cone_metric(s.delaunay, s.homology.cochains, result.legal->divisor, options.cone_metric, visitor,
-                                    &s.laplacian);
+  find_metric(*map, s, singularities, options, visitor, result);
   result.surface->laplacian = Laplacian_solver();   // it would be the largest part of the result
   place_singularities(input, result);
   require_near(*result.metric);

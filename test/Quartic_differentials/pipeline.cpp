@@ -114,14 +114,15 @@ void test_own_singularities()
 
   std::stringstream some("0 0 0 -1   # one pole\n\n1 0 0 2 pinned\n");
   Quartic_differential_options repair;
-  CHECK_THROWS(quartic_differential(input, read_singularities(some, input), repair, visitor, second),
+  Quartic_differential_result refused, repaired;
+  CHECK_THROWS(quartic_differential(input, read_singularities(some, input), repair, visitor, refused),
                Infeasible_divisor_error, "degree");
   repair.repair_degree = true;
   some.clear();
   some.seekg(0);
-  quartic_differential(input, read_singularities(some, input), repair, visitor, second);
-  check_result("repaired degree", input, second);
-  CHECK_EQUAL(second.singularities.size(), 2u + 7u);
+  quartic_differential(input, read_singularities(some, input), repair, visitor, repaired);
+  check_result("repaired degree", input, repaired);
+  CHECK_EQUAL(repaired.singularities.size(), 2u + 7u);
 
   for (const char* bad : {"1 2 3", "1 2 x 1", "1 2 3 1.5", "1 2 3 1 fixed", "1 2 3 1 pinned twice", "nan 0 0 1"}) {
     std::stringstream in(bad);
@@ -159,6 +160,36 @@ void test_high_orders()
   check_result("orders -3 to 3", input, r);
 }
 
+// Counts the times singularities are chosen again.
+struct Choice_counter : Visitor
+{
+  int again = 0;
+  void progress(const std::string& message) override { again += message.find("others are chosen") != std::string::npos; }
+};
+
+// Singularities that were chosen and come too near each other give way to others, a few times; given ones do not.
+void test_chosen_again()
+{
+  const Intrinsic_triangulation input(handle_chain(2, 6));
+  Quartic_differential_options options;
+  Choice_counter first, no_choice, in_vain;
+  options.cone_metric.least_distance = 0.08;   // of another size than the guard of the choice
+  Quartic_differential_result r;
+  quartic_differential(input, std::nullopt, options, first, r);
+  check_result("chosen again", input, r);
+  CHECK(first.again > 0);
+  CHECK_EQUAL(collision(input, r.singularities, options.cone_metric.least_distance), "");
+
+  options.cone_metric.least_distance = 0.5;
+  Quartic_differential_result refused, refused_again;
+  CHECK_THROWS(quartic_differential(input, r.singularities, options, no_choice, refused), Infeasible_divisor_error,
+               "drives together");
+  CHECK_EQUAL(no_choice.again, 0);
+  CHECK_THROWS(quartic_differential(input, std::nullopt, options, in_vain, refused_again), Infeasible_divisor_error,
+               "drives together");
+  CHECK_EQUAL(in_vain.again, 2);
+}
+
 void test_flat_torus()
 {
   const Intrinsic_triangulation input(torus(1, 0.4, 40, 24));
@@ -190,6 +221,8 @@ void test_singularities_on_mesh()
   Quartic_differential_result expected, kept;
   quartic_differential(copy, same, {}, visitor, expected);
   const Quartic_differential_result r = quartic_differential(mesh, {}, parameters::singularities(divisor));
+  quartic_differential(mesh, {}, visitor, kept, parameters::singularities(divisor));
+  CHECK(kept.legal.has_value());
   CHECK_EQUAL(r.singularities.size(), divisor.size());
   for (std::size_t i = 0; i < r.singularities.size(); ++i) {
     CHECK_EQUAL(r.singularities[i].location.face, expected.singularities[i].location.face);
@@ -264,6 +297,7 @@ int main()
   test_own_singularities();
   test_route_through_zeros();
   test_high_orders();
+  test_chosen_again();
   test_flat_torus();
   test_singularities_on_mesh();
   test_polyhedron();

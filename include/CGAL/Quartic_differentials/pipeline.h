@@ -88,7 +88,7 @@ struct Quartic_differential_result
 ///        they are chosen
 /// \param result is filled step by step, so that it holds what was computed even if a later step throws
 /// \pre `input` is a connected surface without degenerate triangles; with boundary, `split_obtuse_at_boundary()` leaves
-///      nothing to do on it
+///      nothing to do on it. `result` holds nothing, but for `split_input`
 /// \throws Infeasible_divisor_error, Numerical_error, Cancelled_error: see the steps
 /// \throws Unusable_surface_error if quads are asked for and `input` is not embedded
 void quartic_differential(const Intrinsic_triangulation& input, const std::optional<Divisor>& singularities,
