@@ -155,10 +155,18 @@ struct Measured
 
 Measured measured(const Subject& subject, int number_of_runs, std::size_t number_of_quads)
 {
+  Measured result{subject.name, 0, 0, 0, {}};
+  std::optional<Stored_subject> stored;
+  {
+    const Intrinsic_triangulation t = subject.load();
+    result.vertices = t.number_of_vertices();
+    result.faces = t.number_of_faces();
+    result.genus = t.genus();
+    if (!subject.is_file && t.is_embedded()) stored.emplace(subject.name, t.mesh());
+  }
   std::vector<Run> runs;
-  for (int i = 0; i < number_of_runs; ++i) runs.push_back(run_once(subject, number_of_quads));
-  const Intrinsic_triangulation t = subject.load();
-  Measured result{subject.name, t.number_of_vertices(), t.number_of_faces(), t.genus(), {}};
+  for (int i = 0; i < number_of_runs; ++i)
+    runs.push_back(run_once(stored ? stored->subject() : subject, number_of_quads));
   for (const std::string& column : columns) result.medians[column] = median_of(runs, column);
   return result;
 }

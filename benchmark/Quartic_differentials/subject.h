@@ -11,7 +11,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <random>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct Subject
 {
   std::string                                                          name;
   std::function<CGAL::Quartic_differentials::Intrinsic_triangulation()> load;
+  bool                                                                 is_file = false;
 };
 
 inline Subject from_file(const std::string& path)
@@ -27,7 +30,7 @@ inline Subject from_file(const std::string& path)
   return {std::filesystem::path(path).stem().string(), [path] {
     std::vector<std::string> notes;
     return CGAL::Quartic_differentials::read_surface(path, notes);
-  }};
+  }, true};
 }
 
 inline Subject chain(int genus, int resolution)
@@ -59,5 +62,28 @@ inline Subject finer(const Subject& subject, int subdivisions)
     return QD::Intrinsic_triangulation(std::move(mesh));
   }};
 }
+
+/// A generated surface in a file, so that what is timed begins with reading one; the file is there as long as this is.
+class Stored_subject
+{
+public:
+  Stored_subject(const std::string& name, const CGAL::Quartic_differentials::Mesh& mesh)
+    : m_path(std::filesystem::temp_directory_path()
+             / ("quartic_benchmark_" + std::to_string(std::random_device{}()) + ".off")), m_name(name)
+  {
+    const int digits = 17;   // doubles are read back as they were
+    if (!CGAL::IO::write_OFF(m_path.string(), mesh, CGAL::parameters::stream_precision(digits)))
+      throw CGAL::Quartic_differentials::Error("cannot write " + m_path.string());
+  }
+  ~Stored_subject() { std::error_code ignored; std::filesystem::remove(m_path, ignored); }
+  Stored_subject(const Stored_subject&) = delete;
+  Stored_subject& operator=(const Stored_subject&) = delete;
+
+  Subject subject() const { return {m_name, from_file(m_path.string()).load, true}; }
+
+private:
+  std::filesystem::path m_path;
+  std::string           m_name;
+};
 
 #endif // CGAL_QUARTIC_DIFFERENTIALS_BENCHMARK_SUBJECT_H
