@@ -9,6 +9,8 @@
 #include <CGAL/Quartic_differentials/exceptions.h>
 #include <CGAL/Quartic_differentials/sample_surfaces.h>
 
+#include <CGAL/boost/graph/IO/OFF.h>
+
 #include <filesystem>
 #include <functional>
 #include <random>

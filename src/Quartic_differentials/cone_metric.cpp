@@ -299,7 +299,7 @@ bool move_off_vertices(const Intrinsic_triangulation& t, const std::vector<char>
 void refuse_collisions(const Intrinsic_triangulation& t, const Divisor& divisor, double least)
 {
   if (const std::string reason = collision(t, divisor, least); !reason.empty())
-    throw Infeasible_divisor_error("making the holonomy exact drives together " + reason);
+    throw Colliding_singularities_error("making the holonomy exact drives together " + reason);
 }
 
 } // namespace

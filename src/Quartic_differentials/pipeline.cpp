@@ -107,7 +107,7 @@ void find_metric(const Abel_jacobi_map& map, const Riemann_surface& s, const std
       r.metric = exact_cone_metric(s.delaunay, s.homology.cochains, r.legal->divisor, options.cone_metric, visitor,
                                    &s.laplacian);
       return;
-    } catch (const Infeasible_divisor_error& e) {
+    } catch (const Colliding_singularities_error& e) {
       if (!r.choice || choices_left == 0) throw;
       visitor.progress(std::string(e.what()) + "; others are chosen, farther from each other");
     }

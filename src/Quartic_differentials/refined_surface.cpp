@@ -262,13 +262,13 @@ Refined_cone_metric refined_cone_metric(const Intrinsic_triangulation& input, co
     if (!divisor[i].pinned) frames.add(frame);
   }
   r.input_face = inserter.original_faces();
+  const internal::Piece_places places = inserter.places();
   Intrinsic_triangulation a = std::move(inserter).triangulation();
   for (const auto& c : r.construction.cones)
     if (input.is_embedded()) a.set_point(c.vertex, position_on_input(input, c.location));
   r.triangulation = a;
   r.refinement = Common_refinement(std::move(a));
-  inserter.flip_at_pieces(r.triangulation, r.refinement, r.cochains, frames, r.construction.flips);
-  make_delaunay(r.triangulation, r.refinement, r.cochains, frames, r.construction.flips);
+  make_delaunay_by_places(r.triangulation, places, r.refinement, r.cochains, frames, r.construction.flips);
   r.derivatives = internal::Length_derivatives(r.triangulation, frames);
   make_ideal_delaunay(r.triangulation, metric.u, r.refinement, r.cochains, r.derivatives, r.construction.flips);
   r.lengths.reserve(r.triangulation.number_of_edges());

@@ -182,7 +182,7 @@ void test_chosen_again()
 
   options.cone_metric.least_distance = 0.5;
   Quartic_differential_result refused, refused_again;
-  CHECK_THROWS(quartic_differential(input, r.singularities, options, no_choice, refused), Infeasible_divisor_error,
+  CHECK_THROWS(quartic_differential(input, r.singularities, options, no_choice, refused), Colliding_singularities_error,
                "drives together");
   CHECK_EQUAL(no_choice.again, 0);
   CHECK_THROWS(quartic_differential(input, std::nullopt, options, in_vain, refused_again), Infeasible_divisor_error,

@@ -116,7 +116,7 @@ struct Exact_cone_metric
 /// The first metric is only as good as the linear theory; two or three steps reach rounding. (METHOD, step 6: past the
 /// paper, which accepts 0.1 to 0.3 degrees.) Always returns: see `reached`.
 /// \param factorized as in `cone_metric()`
-/// \throws Infeasible_divisor_error if singularities run into each other
+/// \throws Colliding_singularities_error if singularities run into each other
 /// Complexity: a warm-started flow and 2g back-substitutions a step.
 Exact_cone_metric exact_cone_metric(const Intrinsic_triangulation& t, const Integer_cochains& cochains,
                                     const Divisor& divisor, const Cone_metric_options& options, Visitor& visitor,

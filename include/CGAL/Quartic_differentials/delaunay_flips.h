@@ -97,7 +97,15 @@ private:
   std::size_t       m_next = 0;
 };
 
-// The one flip loop. `scaled(e)` is the length by which edge e is judged, `diagonal(flip)` its unscaled new length.
+// The other diagonal of the two faces at h, by a rule for lengths.
+template <class Rule>
+double other_diagonal(const Intrinsic_triangulation& t, Halfedge h, Rule rule)
+{
+  const Halfedge o = t.opposite(h);
+  return rule(t.length(h), t.length(t.next(h)), t.length(t.prev(h)), t.length(t.next(o)), t.length(t.prev(o)));
+}
+
+// The one flip loop. `scaled(e)` is the length by which edge e is judged, `diagonal(h)` the unscaled new length of that of h.
 template <class Scaled, class Diagonal, class... Riders>
 std::size_t flip_to_delaunay(Intrinsic_triangulation& t, bool ptolemy, Scaled scaled, Diagonal diagonal,
                              Riders&... riders)
@@ -112,8 +120,7 @@ std::size_t flip_to_delaunay(Intrinsic_triangulation& t, bool ptolemy, Scaled sc
     if (t.face(h) == t.face(o)) continue;   // both sides are one face: the edge cannot be flipped, and is Delaunay
     const Edge a = t.edge(t.next(h)), b = t.edge(t.prev(h)), c = t.edge(t.next(o)), d = t.edge(t.prev(o));
     if (!certified_not_delaunay(scaled(e), scaled(a), scaled(b), scaled(c), scaled(d))) continue;
-    const Edge_flip flip = t.flip_of(e, diagonal(t.length(e), t.length(a), t.length(b), t.length(c), t.length(d)),
-                                     ptolemy);
+    const Edge_flip flip = t.flip_of(e, diagonal(h), ptolemy);
     (riders.before_flip(t, flip), ...);
     t.flip(flip);
     if (++flips > most) throw Numerical_error("Delaunay flips do not end after 100 flips per edge");
@@ -127,7 +134,9 @@ std::size_t flip_to_delaunay(Intrinsic_triangulation& t, bool ptolemy, Scaled sc
 template <class... Riders>
 std::size_t make_delaunay(Intrinsic_triangulation& t, Riders&... riders)
 {
-  return internal::flip_to_delaunay(t, false, [&](Edge e) { return t.length(e); }, euclidean_diagonal<double>, riders...);
+  return internal::flip_to_delaunay(t, false, [&](Edge e) { return t.length(e); },
+                                    [&](Halfedge h) { return internal::other_diagonal(t, h, euclidean_diagonal<double>); },
+                                    riders...);
 }
 
 template <class... Riders>
@@ -139,7 +148,9 @@ std::size_t make_ideal_delaunay(Intrinsic_triangulation& t, const std::vector<do
     const Halfedge h = t.halfedge(e);
     return t.length(e) * half_scale[t.source(h)] * half_scale[t.target(h)];
   };
-  return internal::flip_to_delaunay(t, true, scaled, ptolemy_diagonal<double>, riders...);
+  return internal::flip_to_delaunay(t, true, scaled,
+                                    [&](Halfedge h) { return internal::other_diagonal(t, h, ptolemy_diagonal<double>); },
+                                    riders...);
 }
 
 } } // namespace CGAL::Quartic_differentials

@@ -20,6 +20,9 @@ struct Unusable_surface_error : Error { using Error::Error; };
 /// The divisor is refused for a mathematical reason (degree, rank of its Jacobian, colliding singularities, ...).
 struct Infeasible_divisor_error : Error { using Error::Error; };
 
+/// Singularities come too near each other, or the boundary, when the holonomy is made exact.
+struct Colliding_singularities_error : Infeasible_divisor_error { using Infeasible_divisor_error::Infeasible_divisor_error; };
+
 /// A step did not reach its tolerance; what was computed before it is still valid.
 struct Numerical_error : Error { using Error::Error; };
 

@@ -20,6 +20,13 @@ namespace {
 
 using Complex = std::complex<double>;
 
+// the third corner of a triangle with the given corners, with the k-th one at 0 and the next on the positive real axis
+Complex apex_over(const std::array<Complex, 3>& corner, int k)
+{
+  const Complex side = corner[(k + 1) % 3] - corner[k];
+  return (corner[(k + 2) % 3] - corner[k]) * std::conj(side) / std::abs(side);
+}
+
 // the angle at source(h) in face(h)
 double angle_at_source(const Intrinsic_triangulation& t, Halfedge h)
 {
@@ -76,6 +83,23 @@ std::pair<std::size_t, Halfedge> piece_on_boundary(const Intrinsic_triangulation
 }
 
 } // namespace
+
+double Piece_places::diagonal(const Intrinsic_triangulation& t, Halfedge h) const
+{
+  const Halfedge o = t.opposite(h);
+  const auto own = m_corners.find(t.face(h)), other = m_corners.find(t.face(o));
+  if (own == m_corners.end() && other == m_corners.end()) return other_diagonal(t, h, euclidean_diagonal<double>);
+  const auto apex = [&](Halfedge k, auto place) {
+    return apex_over(place == m_corners.end() ? t.unfolded(t.face(k)) : place->second, t.corner(k));
+  };
+  return std::abs(apex(h, own) + apex(o, other) - t.length(h));
+}
+
+void Piece_places::before_flip(const Intrinsic_triangulation& t, const Edge_flip& flip)
+{
+  m_corners.erase(t.face(flip.ij));
+  m_corners.erase(t.face(flip.ji));
+}
 
 void Cone_frames::before_flip(const Intrinsic_triangulation& t, const Edge_flip& flip)
 {
@@ -152,12 +176,12 @@ std::vector<Face_piece>& Point_inserter::pieces(Face f)
   return m_pieces.try_emplace(f, 1, Face_piece{f, m_t.unfolded(f), {0, 1, 2}}).first->second;
 }
 
-std::map<Face, Face_piece> Point_inserter::all_pieces() const
+Piece_places Point_inserter::places() const
 {
-  std::map<Face, Face_piece> all;
+  std::map<Face, std::array<Complex, 3>> corners;
   for (const auto& [face, pieces] : m_pieces)
-    for (const Face_piece& piece : pieces) all.emplace(piece.face, piece);
-  return all;
+    for (const Face_piece& piece : pieces) corners.emplace(piece.face, piece.corner);
+  return Piece_places(std::move(corners));
 }
 
 Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_cochains& cochains, const Divisor& divisor)
@@ -193,9 +217,9 @@ Inserted_cones insert_cones(const Intrinsic_triangulation& t, const Integer_coch
     result.frozen.push_back(divisor[i].pinned);
     if (!divisor[i].pinned) result.frames.add({static_cast<int>(i), insertion.spoke[0], inserted.angle});
   }
+  const Piece_places places = inserter.places();
   result.triangulation = std::move(inserter).triangulation();
-  inserter.flip_at_pieces(result.triangulation, result.cochains, result.frames);
-  make_delaunay(result.triangulation, result.cochains, result.frames);
+  make_delaunay_by_places(result.triangulation, places, result.cochains, result.frames);
   return result;
 }
 

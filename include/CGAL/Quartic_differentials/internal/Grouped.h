@@ -8,6 +8,7 @@
 #include <CGAL/Iterator_range.h>
 
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -25,21 +26,21 @@ public:
   /// \param group_of number -> group, below `groups`
   /// Complexity: linear.
   template <class Group_of>
-  Grouped(std::size_t groups, std::size_t n, Group_of group_of) : m_end(groups + 1, 0), m_items(n)
+  Grouped(std::size_t groups, std::size_t n, Group_of group_of) : m_begin(groups + 2, 0), m_items(n)
   {
-    for (std::size_t i = 0; i < n; ++i) ++m_end[group_of(i) + 1];
-    for (std::size_t g = 0; g < groups; ++g) m_end[g + 1] += m_end[g];   // where group g + 1 begins
-    for (std::size_t i = 0; i < n; ++i) m_items[m_end[group_of(i)]++] = Item(i);
+    for (std::size_t i = 0; i < n; ++i) ++m_begin[group_of(i) + 2];
+    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());   // m_begin[g + 1] is where group g begins,
+    for (std::size_t i = 0; i < n; ++i) m_items[m_begin[group_of(i) + 1]++] = Item(i);   // and then where it ends
   }
 
   /// the items of a group, in increasing order
   Group operator[](std::size_t group) const
-  { return {m_items.begin() + begin(group), m_items.begin() + static_cast<std::ptrdiff_t>(m_end[group])}; }
+  { return {at(m_begin[group]), at(m_begin[group + 1])}; }
 
 private:
-  std::ptrdiff_t begin(std::size_t group) const { return group == 0 ? 0 : static_cast<std::ptrdiff_t>(m_end[group - 1]); }
+  auto at(std::size_t i) const { return m_items.begin() + static_cast<std::ptrdiff_t>(i); }
 
-  std::vector<std::size_t> m_end;     // of each group in m_items
+  std::vector<std::size_t> m_begin;   // of each group in m_items
   std::vector<Item>        m_items;
 };
 

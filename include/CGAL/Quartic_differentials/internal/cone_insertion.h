@@ -15,8 +15,8 @@
 
 #include <array>
 #include <complex>
+#include <cstddef>
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -53,6 +53,23 @@ struct Face_piece
   std::array<int, 3>                  name;     ///< k: corner k of the whole face; 3 + i: the i-th point of the inserter
 };
 
+/// Where the corners of pieces are, as long as they are not flipped. Rides along.
+///
+/// Near an edge a point makes a needle, and rounded lengths know its altitude h only up to eps / h. By its place, its
+/// distance from what is across the edge is right up to eps. (METHOD, step 6)
+class Piece_places
+{
+public:
+  explicit Piece_places(std::map<Face, std::array<std::complex<double>, 3>> corners) : m_corners(std::move(corners)) {}
+
+  /// the length of the other diagonal of the two faces at h
+  double diagonal(const Intrinsic_triangulation& t, Halfedge h) const;
+  void before_flip(const Intrinsic_triangulation& t, const Edge_flip& flip);
+
+private:
+  std::map<Face, std::array<std::complex<double>, 3>> m_corners;
+};
+
 /// Inserts points in the faces of a triangulation, also several in one face.
 class Point_inserter
 {
@@ -83,17 +100,11 @@ public:
   /// by face of the triangulation: the face of t it is part of
   const std::vector<Face>& original_faces() const { return m_original; }
 
-  /// flips the edges of pieces that are not Delaunay, once each, with new lengths from places instead of lengths.
-  ///
-  /// Near an edge a point makes a needle, and rounded lengths know its altitude h only up to eps / h. After the flip the
-  /// point's distance from what is across the edge is right up to eps. (METHOD, step 6)
-  /// \param t `triangulation()`, or a copy
-  template <class... Riders>
-  void flip_at_pieces(Intrinsic_triangulation& t, Riders&... riders) const;
+  /// the places of the pieces' corners
+  Piece_places places() const;
 
 private:
   std::vector<Face_piece>& pieces(Face f);
-  std::map<Face, Face_piece> all_pieces() const;
 
   const Intrinsic_triangulation&          m_t;
   Intrinsic_triangulation                 m_split;
@@ -102,33 +113,12 @@ private:
   std::map<Face, std::vector<Face_piece>> m_pieces;   // of the faces of t that were split
 };
 
-/// the third corner of a triangle with the given corners, with the k-th one at 0 and the next on the positive real axis
-inline std::complex<double> apex(const std::array<std::complex<double>, 3>& corner, int k)
-{
-  const std::complex<double> side = corner[(k + 1) % 3] - corner[k];
-  return (corner[(k + 2) % 3] - corner[k]) * std::conj(side) / std::abs(side);
-}
-
+/// `make_delaunay()` of the triangulation of a `Point_inserter`: where a place is known it is preferred to lengths.
 template <class... Riders>
-void Point_inserter::flip_at_pieces(Intrinsic_triangulation& t, Riders&... riders) const
+std::size_t make_delaunay_by_places(Intrinsic_triangulation& t, Piece_places places, Riders&... riders)
 {
-  const std::map<Face, Face_piece> pieces = all_pieces();
-  std::set<Face> flipped;   // in which places are no longer known
-  for (const auto& [face, piece] : pieces)
-    for (Halfedge h : t.halfedges(face)) {
-      const Halfedge o = t.opposite(h);
-      if (t.is_border(o) || t.face(o) == face || flipped.count(face) > 0 || flipped.count(t.face(o)) > 0) continue;
-      const double e = t.length(h);
-      if (!certified_not_delaunay(e, t.length(t.next(h)), t.length(t.prev(h)), t.length(t.next(o)), t.length(t.prev(o))))
-        continue;
-      const auto other = pieces.find(t.face(o));
-      const auto across = other == pieces.end() ? t.unfolded(t.face(o)) : other->second.corner;
-      const double diagonal = std::abs(apex(piece.corner, t.corner(h)) + apex(across, t.corner(o)) - e);
-      flipped.insert({face, t.face(o)});
-      const Edge_flip flip = t.flip_of(t.edge(h), diagonal, false);
-      (riders.before_flip(t, flip), ...);
-      t.flip(flip);
-    }
+  return flip_to_delaunay(t, false, [&](Edge e) { return t.length(e); }, [&](Halfedge h) { return places.diagonal(t, h); },
+                          places, riders...);
 }
 
 /// The triangulation with the cones of a divisor as vertices, intrinsic Delaunay again.
